@@ -1,0 +1,114 @@
+"""What a shot is played with: balls, cloth and models on a table, and the strike.
+
+One idea: everything the solvers need is one frozen value. SI units and radians.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from engine.table.furniture import BallId, Point  # noqa: TC001  the alias below needs them
+
+if TYPE_CHECKING:
+    from engine.table.furniture import Table
+
+Layout = Mapping[BallId, Point]
+"""Where the balls in play lie (m); a ball that is not named is not on the table."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """A ball's body: radius in m, mass in kg."""
+
+    id: BallId
+    radius: float
+    mass: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cloth:
+    """Coefficients of sliding and rolling friction, and the loss of side spin in rad/s^2.
+
+    `threshold` (m/s) belongs to the two-speed model alone: rolling friction below, sliding
+    friction above.
+    """
+
+    sliding: float
+    rolling: float
+    spin_deceleration: float
+    threshold: float = 1.5
+    gravity: float = 9.81
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`."""
+
+    restitution: float
+    friction_floor: float
+    friction_rise: float = 0.0
+    friction_decay: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Rubber:
+    """Ball on cushion: restitution `base - slope * max(0, v_n - knee)` and friction."""
+
+    restitution: float
+    restitution_slope: float
+    restitution_knee: float
+    friction: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    """The cue: mass (kg), tip restitution and friction, ball mass over the cue's end mass."""
+
+    mass: float
+    tip_restitution: float
+    tip_friction: float
+    end_mass_ratio: float
+
+
+@dataclass(frozen=True, slots=True)
+class Models:
+    """The physical models by name."""
+
+    solver: str = "stepwise"
+    motion: str = "slide-roll"
+    ball_ball: str = "frictional"
+    ball_cushion: str = "han-2005"
+    strike: str = "point"
+    pocket: str = "drop-edge"
+
+
+@dataclass(frozen=True, slots=True)
+class World:
+    """All that stays the same from shot to shot."""
+
+    table: Table
+    balls: tuple[Ball, ...]
+    cloth: Cloth
+    contact: Contact
+    rubber: Rubber
+    cue: Cue
+    models: Models
+
+
+@dataclass(frozen=True, slots=True)
+class Strike:
+    """The cue's impulse: speed in m/s, angles in rad, tip offsets in ball radii.
+
+    `heading` counts counter-clockwise from +x; `side` is right of the ball's centre as the
+    player sees it, `follow` above it.
+    """
+
+    speed: float
+    heading: float
+    elevation: float = 0.0
+    side: float = 0.0
+    follow: float = 0.0
+
+

@@ -1,0 +1,134 @@
+"""The furniture of a table: what a ball can touch, fall into, stand on or be judged by.
+
+One idea: a table is a value, a closed chain of noses with pockets and marks, in metres and
+radians, origin at the centre of the bed, +x to the foot, +y to the left seen from the head.
+Invariant: nothing here moves and nothing here knows a game.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NewType
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+Point = tuple[float, float]
+BallId = NewType("BallId", str)
+CushionId = NewType("CushionId", str)
+PocketId = NewType("PocketId", str)
+SpotId = NewType("SpotId", str)
+LineId = NewType("LineId", str)
+ZoneId = NewType("ZoneId", str)
+PinId = NewType("PinId", str)
+
+
+@dataclass(frozen=True, slots=True)
+class Straight:
+    """A straight nose from `start` to `end` (m); the bed lies on its left."""
+
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """A round nose: an arc about `centre` (m) from angle `start` through `sweep` (rad).
+
+    The bed lies on the left of the way from start to end: outside the circle when `sweep` is
+    negative (a jaw's shoulder), inside it when `sweep` is positive (a round table).
+    """
+
+    centre: Point
+    radius: float
+    start: float
+    sweep: float
+
+
+Shape = Straight | Curve
+
+
+@dataclass(frozen=True, slots=True)
+class Cushion:
+    """One named cushion: the chain of noses that records call by one name."""
+
+    id: CushionId
+    shapes: tuple[Shape, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Jaw:
+    """One side of a pocket's mouth: shoulder and facing, from the cushion into the pocket."""
+
+    pocket: PocketId
+    shapes: tuple[Shape, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Pocket:
+    """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops."""
+
+    id: PocketId
+    centre: Point
+    radius: float
+    mouth: tuple[Point, Point]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line across the bed from `start` to `end` (m)."""
+
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, slots=True)
+class HalfPlane:
+    """The points p with (p - `point`) . `normal` > 0, or >= 0 where `closed`."""
+
+    point: Point
+    normal: Point
+    closed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """The points within `radius` (m) of `centre`, its rim included where `closed`."""
+
+    centre: Point
+    radius: float
+    closed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Area:
+    """The bed's points that lie in every one of `parts`; with no parts, the whole bed."""
+
+    parts: tuple[HalfPlane | Disc, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """A zone that is no area but some single points (m), such as two starting spots."""
+
+    points: tuple[Point, ...]
+
+
+Zone = Area | Places
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """One table as it stands in the room; lengths in metres."""
+
+    length: float
+    width: float
+    nose_height: float
+    cushions: tuple[Cushion, ...]
+    jaws: tuple[Jaw, ...]
+    pockets: tuple[Pocket, ...]
+    spots: Mapping[SpotId, Point] = field(default_factory=lambda: MappingProxyType({}))
+    lines: Mapping[LineId, Line] = field(default_factory=lambda: MappingProxyType({}))
+    zones: Mapping[ZoneId, Zone] = field(default_factory=lambda: MappingProxyType({}))
+    rail_width: float = 0.12

@@ -1,0 +1,94 @@
+"""A game as loaded: a frozen value made from one TOML file and one rule script.
+
+Invariant: a Variant never changes after load and holds nothing that was not checked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from engine.physics.world import Layout, World
+    from engine.table.furniture import BallId, Point, SpotId
+    from rulelang.program import Program
+
+Colour = tuple[int, int, int]
+"""Red, green, blue, 0 to 255."""
+
+Value = bool | int | str
+"""What a setting, a tracked value or a referee's fact can be."""
+
+
+@dataclass(frozen=True, slots=True)
+class BallKind:
+    """A ball as the game and the eye know it; its body is in the World.
+
+    `pattern` is "plain", "stripe" or "dots"; `label` is what is painted on it, often empty.
+    `spot` is the ball's own spot where the table gives it one.
+    """
+
+    id: BallId
+    colour: Colour
+    pattern: str = "plain"
+    label: str = ""
+    value: int = 0
+    groups: tuple[str, ...] = ()
+    spot: SpotId | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Rack:
+    """How balls lie at the start: fixed places, and places filled by lot from the rest.
+
+    `fixed` maps a ball to its place (m). `drawn` lists draws, each a tuple of places and the
+    balls that are shuffled over them (first from the seed's own generator, in order).
+    """
+
+    fixed: Mapping[BallId, Point]
+    drawn: tuple[tuple[tuple[Point, ...], tuple[BallId, ...]], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A house rule that a script may read and a player may set."""
+
+    name: str
+    default: Value
+    choices: tuple[Value, ...] = ()
+    about: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """The table's colours."""
+
+    cloth: Colour
+    rail: Colour
+    pocket: Colour = (12, 12, 12)
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """One game, ready to be played.
+
+    `cue_balls` has one ball that serves every player, or one ball per player in order.
+    """
+
+    name: str
+    title: str
+    rulebook: str
+    path: Path
+    script_path: Path
+    world: World
+    balls: tuple[BallKind, ...]
+    cue_balls: tuple[BallId, ...]
+    rack: Rack
+    players: tuple[int, int, int]
+    """Fewest, most and usual number of players."""
+    settings: Mapping[str, Setting]
+    look: Look
+    program: Program

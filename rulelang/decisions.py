@@ -1,0 +1,146 @@
+"""What the rules decide about one shot: values out.
+
+One idea: decisions are plain statements that the host carries out; nothing here moves a ball.
+Invariant: players are numbers from 1, balls, spots and zones are names, all resolved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rulelang.facts import Tracked
+
+
+@dataclass(frozen=True, slots=True)
+class Foul:
+    """A foul with its worth in penalty points and the rule that found it."""
+
+    name: str
+    worth: int
+    rule: str
+    cites: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """One place that a spotted ball may go to, tried in order until one is free.
+
+    `kind` is "at" (on `spot`), "highest-free" (the free own spot of highest value), "occupant"
+    (the home of the ball that covers the place tried before; homes in Decisions.homes), "near"
+    (as near `spot` as possible on the line toward `toward`, "head" or "foot", without touching).
+    """
+
+    kind: str
+    spot: str | None = None
+    toward: str = "foot"
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Put `ball` back at the first of `places` that is free."""
+
+    ball: str
+    places: tuple[Place, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Remove:
+    """Take `ball` off the table for good."""
+
+    ball: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rerack:
+    """Rack all balls anew, but leave `keeping` where they lie."""
+
+    keeping: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Restore:
+    """Put the whole position back as it was before the stroke."""
+
+
+TableAction = Spot | Remove | Rerack | Restore
+
+
+@dataclass(frozen=True, slots=True)
+class InHand:
+    """The cue ball of the next shot is in hand in `zone`; None: it is played where it lies."""
+
+    player: int
+    zone: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """`player` may choose `option`; `key` finds its consequences in the Program."""
+
+    player: int
+    option: str
+    key: int
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """`unit` ("game" or "match") is over; `winner` 0 is a draw."""
+
+    unit: str
+    winner: int
+
+
+@dataclass(frozen=True, slots=True)
+class RuleOutcome:
+    """How one rule fared: "fired", "silent" (its condition was false) or "overridden".
+
+    `because` tells, for a fired rule, the condition with its values; for a silent one the part
+    that was false; for an overridden one, the rule that overrode it. `events` are indexes of
+    the shot's events that made it so. `said` lists what the rule decided, in the script's words.
+    """
+
+    rule: str
+    section: str
+    cites: tuple[str, ...]
+    outcome: str
+    because: str
+    events: tuple[int, ...] = ()
+    said: tuple[str, ...] = ()
+    line: int = 0
+    file: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Required:
+    """What the player must announce before the shot: "ball", "pocket", "ball-or-safety" ..."""
+
+    player: int
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Decisions:
+    """Everything decided, ready to be carried out.
+
+    `points` has the change of each player's score; `state` the tracked values after the shot;
+    `next_player` who comes to the table; `continues` that it is the same turn. `table` is in
+    the order in which it is to be done. `homes` maps a ball to its home spot, where the script
+    declares one.
+    """
+
+    fouls: tuple[Foul, ...] = ()
+    points: tuple[int, ...] = ()
+    state: Mapping[str, Tracked] = field(default_factory=dict)
+    phase: str = ""
+    next_player: int = 1
+    continues: bool = False
+    table: tuple[TableAction, ...] = ()
+    in_hand: InHand | None = None
+    offers: tuple[Offer, ...] = ()
+    endings: tuple[Ending, ...] = ()
+    eliminated: frozenset[int] = frozenset()
+    homes: Mapping[str, str] = field(default_factory=dict)
+    explanation: tuple[RuleOutcome, ...] = ()

@@ -1,0 +1,92 @@
+"""What the host tells the rules about one shot: values in.
+
+One idea: a Situation is all that is known before the stroke, a Shot what was announced and
+happened, and Rest what is known when the balls are still. Whatever is not known is absent,
+and a predicate on what nobody gave is false. Players count from 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from rulelang.vocabulary import Value
+
+if TYPE_CHECKING:
+    from rulelang.decisions import TableAction
+    from rulelang.events import Event
+
+Tracked = Value | tuple[Value, ...]
+"""One value, or one per player."""
+
+Predicate = Callable[[frozenset[str], "tuple[TableAction, ...]"], "Value | None"]
+
+Nothing: Mapping[str, Value] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """The game before a shot.
+
+    `frozen` holds pairs (ball, ball) and (ball, "cushion NAME"); `zones` says in which zones
+    a ball stands; `in_hand` is the zone that the shooter's cue ball is in hand in.
+    `eliminated` are players out of the game. `options` may be chosen from before this shot.
+    `seed` is where all chance comes from.
+    """
+
+    players: int
+    shooter: int
+    phase: str
+    scores: tuple[int, ...]
+    on_table: frozenset[str]
+    state: Mapping[str, Tracked]
+    settings: Mapping[str, Value] = Nothing
+    in_hand: str | None = None
+    zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    frozen: frozenset[tuple[str, str]] = frozenset()
+    options: tuple[str, ...] = ()
+    breaker: int = 1
+    eliminated: frozenset[int] = frozenset()
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """What was announced; a nominated ball has no pocket."""
+
+    ball: str | None = None
+    pocket: str | None = None
+    safety: bool = False
+    group: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """The table at rest, before the referee touches a ball; `spots` says who covers a spot."""
+
+    zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    frozen: frozenset[tuple[str, str]] = frozenset()
+    spots: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """One shot as the rules see it.
+
+    `struck` is the ball the tip struck, which the script calls the cue ball. `facts` holds
+    what an eye judged. `predicates` supplies, from positions, a fact that nobody stated: by the
+    predicate's name a function of the set of balls it is asked on and of the table actions
+    decided so far, None where the positions are not known. `placed` says in which zones the
+    ball in hand was put, None where that is not known.
+    """
+
+    struck: str
+    events: tuple[Event, ...]
+    call: Call = Call()
+    chosen: str | None = None
+    facts: Mapping[str, Value] = Nothing
+    predicates: Mapping[str, Predicate] = field(default_factory=dict)
+    placed: frozenset[str] | None = None
+    rest: Rest = Rest()
