@@ -1,0 +1,119 @@
+"""The wood round a table: straight lengths, and fans of small blocks round the pockets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from engine.scene.shape import make_mesh
+from engine.stage import plan
+from engine.stage.dimensions import APRON, LINER, RIM_STEPS
+
+if TYPE_CHECKING:
+    from engine.scene.shape import Mesh, Rgb
+    from engine.stage.dimensions import Frame
+    from engine.table.furniture import Pocket, Point, Table
+
+GLOSS = 0.35
+
+
+def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]:
+    """Return the convex blocks of wood, each with its top and the sides that show."""
+    plain: list[plan.Polygon] = []
+    round_pockets: list[tuple[plan.Polygon, Pocket]] = []
+    for cell in _cells(table, frame):
+        near = [p for p in table.pockets if plan.reaches(cell, p.centre, p.radius)]
+        if near:
+            round_pockets.append((cell, near[0]))
+        else:
+            plain.append(cell)
+    blocks = [_block([cell], frame, [wood], None) for cell in plain]
+    for cell, pocket in round_pockets:
+        for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS):
+            blocks.append(_fan_block(wedge, pocket, frame, wood, liner))
+    return blocks
+
+
+def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
+    """Return rectangles that fill the frame, each touching one pocket at most."""
+    (ix, iy), (ox, oy) = frame.inner, frame.outer
+    xs, ys = {-ix, ix}, {-iy, iy}
+    for pocket in table.pockets:
+        (x, y), reach = pocket.centre, pocket.radius + 2.0 * LINER
+        xs |= {e for e in (x - reach, x + reach) if abs(e) < ix}
+        ys |= {e for e in (y - reach, y + reach) if abs(e) < iy}
+    across, along = sorted(xs), sorted(ys)
+    cells = [plan.rectangle(a, s * m, b, s * n) if s > 0 else plan.rectangle(a, -n, b, -m)
+             for a, b in zip(across[:-1], across[1:], strict=True)
+             for s, m, n in ((1, iy, oy), (-1, iy, oy))]
+    cells += [plan.rectangle(m, a, n, b)
+              for a, b in zip(along[:-1], along[1:], strict=True)
+              for m, n in ((ix, ox), (-ox, -ix))]
+    for x0, x1 in ((ix, ox), (-ox, -ix)):
+        cells += [plan.rectangle(x0, y0, x1, y1) for y0, y1 in ((iy, oy), (-oy, -iy))]
+    return cells
+
+
+def _fan_block(wedge: plan.Polygon, pocket: Pocket, frame: Frame, wood: Rgb, liner: Rgb) -> Mesh:
+    """Return a block whose top has a strip of liner along the pocket's rim."""
+    rim = [p for p in wedge if _distance(p, pocket.centre) < pocket.radius + 1e-6]
+    if len(rim) != 2:
+        return _block([wedge], frame, [wood], None)
+    (ax, ay), (bx, by) = rim
+    size = _distance(rim[0], rim[1])
+    out = ((ay - by) / size, (bx - ax) / size)
+    if (pocket.centre[0] - ax) * out[0] + (pocket.centre[1] - ay) * out[1] > 0.0:
+        out = (-out[0], -out[1])
+    line = ax + out[0] * LINER, ay + out[1] * LINER
+    tops = [plan.cut(wedge, line, out), plan.cut(wedge, line, (-out[0], -out[1]))]
+    return _block([t for t in tops if t], frame, [liner, wood], wedge, pocket, liner)
+
+
+def _distance(a: Point, b: Point) -> float:
+    return float(np.hypot(a[0] - b[0], a[1] - b[1]))
+
+
+def _block(
+    tops: list[plan.Polygon],
+    frame: Frame,
+    colours: list[Rgb],
+    outline: plan.Polygon | None,
+    pocket: Pocket | None = None,
+    liner: Rgb = (0, 0, 0),
+) -> Mesh:
+    """Return a prism from the frame's top down; sides against other blocks are hidden."""
+    polygon = outline or tops[0]
+    points: list[tuple[float, float, float]] = []
+    shown: list[list[int]] = []
+    for top in tops:
+        shown.append(list(range(len(points), len(points) + len(top))))
+        points += [(x, y, frame.top) for x, y in top]
+    paint = list(colours[: len(tops)])
+    hidden = []
+    for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        bottom = _bottom(a, b, frame, pocket)
+        side = list(range(len(points), len(points) + 4))
+        low = -APRON if bottom is None else bottom
+        points += [(*a, frame.top), (*a, low), (*b, low), (*b, frame.top)]
+        if bottom is None:
+            hidden.append(side)
+        else:
+            shown.append(side)
+            paint.append(liner if bottom == 0.0 and pocket is not None else colours[-1])
+    return make_mesh(np.array(points), shown, paint, hidden=hidden, gloss=GLOSS)
+
+
+def _bottom(a: Point, b: Point, frame: Frame, pocket: Pocket | None) -> float | None:
+    """Return how far down a side shows: the apron outside, the bed inside, None for hidden."""
+    for axis in (0, 1):
+        ends = abs(a[axis]), abs(b[axis])
+        if min(ends) > frame.outer[axis] - 1e-6:
+            return -APRON
+        if max(abs(e - frame.inner[axis]) for e in ends) < 1e-6 and all(
+            abs(p[1 - axis]) < frame.inner[1 - axis] + 1e-6 for p in (a, b)
+        ):
+            return 0.0
+    if pocket and max(_distance(p, pocket.centre) for p in (a, b)) < pocket.radius + 1e-6:
+        return 0.0
+    return None
