@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import BallId, Point  # noqa: TC001  the alias below needs them
@@ -82,6 +83,19 @@ class Models:
     ball_cushion: str = "han-2005"
     strike: str = "point"
     pocket: str = "drop-edge"
+
+
+MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "solver": ("stepwise", "corrective", "preemptive"),
+        "motion": ("slide-roll", "two-speed"),
+        "ball_ball": ("frictional", "elastic"),
+        "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
+        "strike": ("point",),
+        "pocket": ("drop-edge",),
+    }
+)
+"""The names that each field of Models may have."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,9 +12,10 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    from engine.physics.world import Layout, World
-    from engine.table.furniture import BallId, Point, SpotId
     from rulelang.program import Program
+
+    from engine.physics.world import World
+    from engine.table.furniture import BallId, Point, SpotId
 
 Colour = tuple[int, int, int]
 """Red, green, blue, 0 to 255."""
@@ -41,15 +42,25 @@ class BallKind:
 
 
 @dataclass(frozen=True, slots=True)
-class Rack:
-    """How balls lie at the start: fixed places, and places filled by lot from the rest.
+class Lot:
+    """Places (m) that are filled by lot: one ball from each of `pools`, in random order.
 
-    `fixed` maps a ball to its place (m). `drawn` lists draws, each a tuple of places and the
-    balls that are shuffled over them (first from the seed's own generator, in order).
+    There are as many pools as places; a ball that is already placed is not drawn again.
+    """
+
+    places: tuple[Point, ...]
+    pools: tuple[tuple[BallId, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rack:
+    """How balls lie at the start: fixed places, and places filled by lot, one Lot after another.
+
+    `fixed` maps a ball to its place (m).
     """
 
     fixed: Mapping[BallId, Point]
-    drawn: tuple[tuple[tuple[Point, ...], tuple[BallId, ...]], ...] = ()
+    drawn: tuple[Lot, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

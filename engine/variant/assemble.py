@@ -1,0 +1,214 @@
+"""From a checked shape to the values of a game: world, balls, rack, settings, look.
+
+One idea: everything that needs no rule script is made here, with every check of meaning that the
+shape alone cannot make. Invariant: with no new mistakes in the report, the Draft is playable.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from engine.physics.world import MODEL_NAMES, Cloth, Contact, Cue, Models, Rubber, World
+from engine.table.build import CUSHIONS, PLAIN, POCKETS
+from engine.table.furniture import BallId
+from engine.variant.ballset import (
+    ball_kinds,
+    bodies,
+    expand_balls,
+    group_members,
+    place_of,
+)
+from engine.variant.furnish import Surveyor, furnish
+from engine.variant.rack import build_rack, check_own_spots
+from engine.variant.report import nearest
+from engine.variant.variant import Look, Setting
+from rulelang.vocabulary import BallName, Vocabulary
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from engine.physics.world import Ball
+    from engine.variant.locate import KeyPath
+    from engine.variant.report import Report
+    from engine.variant.spec import BallShape, VariantSpec
+    from engine.variant.variant import BallKind, Rack
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A variant without its rules."""
+
+    spec: VariantSpec
+    world: World
+    balls: tuple[BallKind, ...]
+    cue_balls: tuple[BallId, ...]
+    rack: Rack
+    players: tuple[int, int, int]
+    settings: Mapping[str, Setting]
+    look: Look
+
+
+def assemble(spec: VariantSpec, report: Report) -> Draft | None:
+    """Return the draft; None where no table can be built. Mistakes go to the report."""
+    balls = expand_balls(spec.balls, report)
+    physical = bodies(spec.balls, balls)
+    radius = max((body.radius for body in physical), default=spec.balls.diameter / 2)
+    surveyor = Surveyor(spec.table, radius, report)
+    table = furnish(surveyor)
+    check_own_spots(balls, surveyor)
+    rack = build_rack(spec.rack, balls, physical, surveyor)
+    kinds = ball_kinds(balls, report)
+    _check_names(spec, balls, report)
+    _check_sizes(spec, physical, report)
+    cue_balls = _cue_balls(spec, balls, report)
+    players = _players(spec, report)
+    settings = _settings(spec, report)
+    models = _models(spec, report)
+    if table is None:
+        return None
+    world = World(table, physical, _cloth(spec), _contact(spec), _rubber(spec), _cue(spec), models)
+    look = Look(spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour)
+    return Draft(spec, world, kinds, cue_balls, rack, players, settings, look)
+
+
+def vocabulary_of(spec: VariantSpec, balls: Sequence[BallKind]) -> Vocabulary:
+    """Return every name that a script of this variant may use."""
+    pocketed = spec.table.pockets is not None
+    settings = {name: setting.default for name, setting in spec.settings.items()}
+    return Vocabulary(
+        balls=tuple(BallName(ball.id, ball.value, ball.groups, ball.spot) for ball in balls),
+        cue_balls=tuple(spec.cue_balls),
+        pockets=POCKETS if pocketed else (),
+        cushions=CUSHIONS if pocketed else PLAIN,
+        lines=tuple(spec.table.lines),
+        zones=tuple(spec.table.zones),
+        spots=tuple(spec.table.spots),
+        settings=MappingProxyType(settings),
+        players=(spec.players.fewest, spec.players.most),
+    )
+
+
+def _check_names(spec: VariantSpec, balls: Mapping[str, BallShape], report: Report) -> None:
+    """Report a name that means two things where a script could not tell them apart."""
+    for group, members in group_members(balls).items():
+        if group in balls:
+            path = place_of(members[0], report, "groups")
+            report.add("V304", path, f"`{group}` is a ball and a group", "name the group anew")
+    marks: dict[str, str] = {}
+    for kind, names in (
+        ("spot", spec.table.spots),
+        ("line", spec.table.lines),
+        ("zone", spec.table.zones),
+    ):
+        for name in names:
+            if name in marks:
+                where: KeyPath = ("table", f"{kind}s", name)
+                message = f"`{name}` is a {marks[name]} and a {kind}"
+                report.add("V304", where, message, f"name the {kind} anew", on_key=True)
+            marks.setdefault(name, kind)
+
+
+def _check_sizes(spec: VariantSpec, balls: Sequence[Ball], report: Report) -> None:
+    """Report balls that fit no pocket or that the noses meet below their middle."""
+    told: set[KeyPath] = set()
+    mouths = (
+        [spec.table.pockets.corner.mouth, spec.table.pockets.side.mouth]
+        if (spec.table.pockets)
+        else []
+    )
+    for ball in balls:
+        path = place_of(ball.id, report, "diameter")
+        if len(path) < 4:
+            path = ("balls", "diameter")
+        if path in told:
+            continue
+        told.add(path)
+        size = 2 * ball.radius
+        if mouths and size >= min(mouths):
+            message = f"a ball of {size * 1000:.1f} mm passes no mouth of {min(mouths) * 1000:.1f}"
+            report.add("V406", path, message + " mm", "smaller balls or wider mouths")
+        elif size > spec.table.width / 4:
+            report.add("V406", path, "the ball is larger than a quarter of the bed's width")
+        elif not ball.radius <= spec.table.nose_height < 2 * ball.radius:
+            message = f"a nose {spec.table.nose_height * 1000:.1f} mm high meets this ball "
+            message += "below its middle or not at all"
+            mend = "the nose stands at 0.62 to 0.7 of the ball's diameter"
+            report.add("V406", ("table", "nose_height"), message, mend)
+            break
+
+
+def _cue_balls(
+    spec: VariantSpec, balls: Mapping[str, BallShape], report: Report
+) -> tuple[BallId, ...]:
+    seen: set[str] = set()
+    for index, name in enumerate(spec.cue_balls):
+        if name not in balls:
+            report.unknown("V302", ("cue_balls", index), "ball", name, balls)
+        if name in seen:
+            report.add("V304", ("cue_balls", index), f"cue ball `{name}` is named twice")
+        seen.add(name)
+    count = len(spec.cue_balls)
+    if count > 1 and not spec.players.fewest == spec.players.most == count:
+        message = f"{count} cue balls for {spec.players.fewest} to {spec.players.most} players"
+        report.add("V503", ("cue_balls",), message, "name one for all, or one for each player")
+    return tuple(BallId(name) for name in spec.cue_balls)
+
+
+def _players(spec: VariantSpec, report: Report) -> tuple[int, int, int]:
+    players = spec.players
+    if not players.fewest <= players.usual <= players.most:
+        message = f"fewest {players.fewest}, usual {players.usual}, most {players.most}"
+        report.add("V501", ("players",), message, "write them so that fewest <= usual <= most")
+    return players.fewest, players.most, players.usual
+
+
+def _settings(spec: VariantSpec, report: Report) -> Mapping[str, Setting]:
+    found = {}
+    for name, shape in spec.settings.items():
+        path: KeyPath = ("settings", name)
+        kinds = {type(choice) for choice in (shape.default, *shape.choices)}
+        if len(kinds) > 1:
+            report.add("V502", (*path, "choices"), "the choices are of different kinds")
+        elif shape.choices and shape.default not in shape.choices:
+            shown = ", ".join(str(choice) for choice in shape.choices)
+            message = f"the default {shape.default!r} is not among the choices"
+            report.add("V502", (*path, "default"), message, f"choose one of {shown}")
+        found[name] = Setting(name, shape.default, tuple(shape.choices), shape.about)
+    return MappingProxyType(found)
+
+
+def _models(spec: VariantSpec, report: Report) -> Models:
+    models = Models()
+    for field in fields(Models):
+        name = getattr(spec.models, field.name)
+        if name is None:
+            continue
+        known = MODEL_NAMES[field.name]
+        if name not in known:
+            message = f"there is no {field.name} model called `{name}`"
+            report.add("V106", ("models", field.name), message, nearest(name, known))
+        else:
+            models = replace(models, **{field.name: name})
+    return models
+
+
+def _cloth(spec: VariantSpec) -> Cloth:
+    cloth = spec.cloth
+    return Cloth(cloth.sliding, cloth.rolling, cloth.spin_deceleration, cloth.threshold)
+
+
+def _contact(spec: VariantSpec) -> Contact:
+    one = spec.balls.contact
+    return Contact(one.restitution, one.friction_floor, one.friction_rise, one.friction_decay)
+
+
+def _rubber(spec: VariantSpec) -> Rubber:
+    one = spec.table.rubber
+    return Rubber(one.restitution, one.restitution_slope, one.restitution_knee, one.friction)
+
+
+def _cue(spec: VariantSpec) -> Cue:
+    cue = spec.cue
+    return Cue(cue.mass, cue.tip_restitution, cue.tip_friction, cue.end_mass_ratio)

@@ -1,0 +1,103 @@
+"""The kinds of field a variant file has: quantities, names, colours, places.
+
+One idea: each kind is an annotated type whose validator speaks in codes and mends, so pydantic's
+own list of errors becomes the author's list of mistakes.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated
+
+from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic_core import PydanticCustomError
+
+from engine.variant.quantity import (
+    ANGLE,
+    LENGTH,
+    MASS,
+    Expression,
+    Kind,
+    QuantityError,
+    read_quantity,
+)
+
+_KEBAB = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+_STEM = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*")
+_HEX = re.compile(r"#([0-9a-fA-F]{6})")
+_LONGEST_NAME = 60
+
+
+def mistake(code: str, what: str, mend: str = "") -> PydanticCustomError:
+    """Return an error that carries a code of our own and a mend."""
+    return PydanticCustomError(code, "{what}", {"what": what, "mend": mend})
+
+
+def _quantity(kind: Kind, written: object) -> float:
+    try:
+        return read_quantity(written, kind)
+    except QuantityError as error:
+        raise mistake("V104", str(error), error.mend) from None
+
+
+def _expression(written: object) -> object:
+    names = {"L": 2.0, "W": 1.0, "R": 0.03}
+    try:
+        read_quantity(written, LENGTH, names)
+    except QuantityError as error:
+        raise mistake("V104", str(error), error.mend) from None
+    return Expression(written) if isinstance(written, str | int | float) else written
+
+
+def _kebab(name: str) -> str:
+    if _KEBAB.fullmatch(name) and len(name) <= _LONGEST_NAME:
+        return name
+    better = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower())
+    better = better.strip("-")[:_LONGEST_NAME]
+    mend = f"write `{better}`" if better else "use small letters, digits and hyphens"
+    raise mistake("V107", f"`{name[:_LONGEST_NAME]}` is not kebab-case", mend)
+
+
+def _stem(name: str) -> str:
+    if _STEM.fullmatch(name) and len(name) <= _LONGEST_NAME:
+        return name
+    raise mistake(
+        "V107",
+        f"`{name[:_LONGEST_NAME]}` is not the stem of a file",
+        "use small letters, digits, hyphens and underscores, without folder and ending",
+    )
+
+
+def _colour(written: object) -> tuple[int, int, int]:
+    match = _HEX.fullmatch(written) if isinstance(written, str) else None
+    if match is None:
+        raise mistake("V108", "a colour is written as six hexadecimal digits", 'write "#1e6b3c"')
+    digits = match.group(1)
+    return int(digits[0:2], 16), int(digits[2:4], 16), int(digits[4:6], 16)
+
+
+def _above_zero(value: float) -> float:
+    if value <= 0:
+        raise mistake("V105", f"{value:g} is not above zero")
+    return value
+
+
+def _not_below_zero(value: float) -> float:
+    if value < 0:
+        raise mistake("V105", f"{value:g} is below zero")
+    return value
+
+
+Metres = Annotated[float, BeforeValidator(lambda written: _quantity(LENGTH, written))]
+Size = Annotated[Metres, AfterValidator(_above_zero)]
+Gap = Annotated[Metres, AfterValidator(_not_below_zero)]
+Kilograms = Annotated[
+    float, BeforeValidator(lambda written: _quantity(MASS, written)), AfterValidator(_above_zero)
+]
+Radians = Annotated[float, BeforeValidator(lambda written: _quantity(ANGLE, written))]
+Coordinate = Annotated[Expression, BeforeValidator(_expression)]
+Name = Annotated[str, AfterValidator(_kebab)]
+Stem = Annotated[str, AfterValidator(_stem)]
+Rgb = Annotated[tuple[int, int, int], BeforeValidator(_colour)]
+Fraction = Annotated[float, Field(ge=0, le=1)]
+Factor = Annotated[float, Field(ge=0, le=1000)]

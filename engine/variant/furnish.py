@@ -1,0 +1,276 @@
+"""From the table part of a variant file to the Table: pockets, spots, lines and zones.
+
+One idea: coordinates may name L, W (the bed) and R (the largest ball's radius); they are
+filled in here, in the order spots, lines, zones, and each mistake is reported where it stands.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import hypot
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from engine.table.build import PocketCut, build_table
+from engine.table.furniture import (
+    Area,
+    Disc,
+    HalfPlane,
+    Line,
+    LineId,
+    Places,
+    SpotId,
+    ZoneId,
+)
+from engine.variant.quantity import QuantityError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from engine.table.furniture import Point, Table, Zone
+    from engine.variant.locate import KeyPath
+    from engine.variant.quantity import Expression
+    from engine.variant.report import Report
+    from engine.variant.spec import LineShape, Place, PocketShape, TableShape, ZoneShape
+
+_EDGE = 1e-9
+
+
+class Surveyor:
+    """Places things on one table; `names` are the lengths that coordinates may use."""
+
+    def __init__(self, spec: TableShape, radius: float, report: Report) -> None:
+        self.spec = spec
+        self.report = report
+        self.names = {"L": spec.length, "W": spec.width, "R": radius}
+        self.open: set[str] = set()
+        self.done: dict[str, Point | None] = {}
+
+    def number(self, expression: Expression | None, path: KeyPath) -> float | None:
+        """Return a coordinate in metres; None, and a mistake, where it cannot be had."""
+        if expression is None:
+            return 0.0
+        try:
+            return expression.value(self.names)
+        except QuantityError as error:
+            self.report.add("V104", path, str(error), error.mend)
+            return None
+
+    def point(self, place: Place, path: KeyPath) -> Point | None:
+        """Return where a place is, or None after a mistake."""
+        start: Point | None = (0.0, 0.0)
+        if place.spot is not None:
+            start = self.spot(place.spot, (*path, "spot"))
+        x = self.number(place.x, (*path, "x"))
+        y = self.number(place.y, (*path, "y"))
+        dx = self.number(place.dx, (*path, "dx"))
+        dy = self.number(place.dy, (*path, "dy"))
+        if start is None or x is None or y is None or dx is None or dy is None:
+            return None
+        return start[0] + x + dx, start[1] + y + dy
+
+    def spot(self, name: str, path: KeyPath) -> Point | None:
+        """Return the place of a named spot."""
+        if name not in self.spec.spots:
+            self.report.unknown("V301", path, "spot", name, self.spec.spots)
+            return None
+        if name in self.done:
+            return self.done[name]
+        if name in self.open:
+            message = f"spot `{name}` is placed by itself"
+            self.report.add("V202", path, message, "give one of them coordinates")
+            return None
+        self.open.add(name)
+        self.done[name] = self.point(self.spec.spots[name], ("table", "spots", name))
+        self.open.discard(name)
+        return self.done[name]
+
+    def on_bed(self, point: Point, margin: float = 0.0) -> bool:
+        """Tell whether a point lies on the bed, `margin` away from the noses at least."""
+        return (
+            abs(point[0]) <= self.spec.length / 2 - margin + _EDGE
+            and abs(point[1]) <= self.spec.width / 2 - margin + _EDGE
+        )
+
+    def spots(self) -> dict[SpotId, Point]:
+        """Return all spots that could be placed."""
+        found = {}
+        for name in self.spec.spots:
+            path: KeyPath = ("table", "spots", name)
+            point = self.spot(name, path)
+            if point is None:
+                continue
+            if not self.on_bed(point):
+                half = f"x within {self.spec.length / 2:g} m, y within {self.spec.width / 2:g} m"
+                self.report.add("V401", path, f"spot `{name}` is not on the bed", half)
+            found[SpotId(name)] = point
+        return found
+
+    def lines(self) -> dict[LineId, Line]:
+        """Return all lines that could be drawn."""
+        found = {}
+        for name, shape in self.spec.lines.items():
+            line = self.line(shape, ("table", "lines", name))
+            if line is not None:
+                found[LineId(name)] = line
+        return found
+
+    def line(self, shape: LineShape, path: KeyPath) -> Line | None:
+        """Return one line; x runs across the bed, y along it."""
+        half_length, half_width = self.spec.length / 2, self.spec.width / 2
+        forms = (shape.x is not None, shape.y is not None, shape.start is not None)
+        if sum(forms) != 1 or (shape.start is None) != (shape.end is None):
+            mend = 'write x = "-L/4", or y = 0, or start and end'
+            self.report.add("V110", path, "a line has one of x, y, or start and end", mend)
+            return None
+        if shape.start is not None and shape.end is not None:
+            start = self.point(shape.start, (*path, "start"))
+            end = self.point(shape.end, (*path, "end"))
+        elif shape.x is not None:
+            x = self.number(shape.x, (*path, "x"))
+            start, end = (None, None) if x is None else ((x, -half_width), (x, half_width))
+        else:
+            y = self.number(shape.y, (*path, "y"))
+            start, end = (None, None) if y is None else ((-half_length, y), (half_length, y))
+        if start is None or end is None:
+            return None
+        if start == end or not (self.on_bed(start) and self.on_bed(end)):
+            self.report.add("V404", path, "the line has no length or leaves the bed")
+            return None
+        return Line(start, end)
+
+    def zones(self, lines: Mapping[LineId, Line]) -> dict[ZoneId, Zone]:
+        """Return all zones that could be drawn."""
+        found: dict[ZoneId, Zone] = {}
+        for name, shape in self.spec.zones.items():
+            path: KeyPath = ("table", "zones", name)
+            zone = self.zone(shape, path, lines)
+            if zone is None:
+                continue
+            if isinstance(zone, Area) and zone.parts and not self.holds_a_place(zone):
+                self.report.add("V408", path, f"zone `{name}` holds no place on the bed")
+            found[ZoneId(name)] = zone
+        return found
+
+    def zone(self, shape: ZoneShape, path: KeyPath, lines: Mapping[LineId, Line]) -> Zone | None:
+        """Return one zone."""
+        sides = shape.behind or shape.beyond or shape.left_of or shape.right_of
+        area = bool(sides or shape.disc is not None)
+        if (shape.bed is not None) + area + (shape.places is not None) != 1:
+            mend = 'write bed = true, or behind = "a-line", or places = ["a-spot"]'
+            self.report.add("V110", path, "a zone is the bed, an area, or places", mend)
+            return None
+        if shape.places is not None:
+            return self.single_places(shape.places, path)
+        halves = self.half_planes(shape, path, lines)
+        if shape.disc is None:
+            return Area(tuple(halves))
+        centre = self.point(shape.disc.centre, (*path, "disc", "centre"))
+        if centre is None:
+            return None
+        return Area((*halves, Disc(centre, shape.disc.radius, shape.with_line)))
+
+    def single_places(self, written: list[Place], path: KeyPath) -> Places:
+        """Return a zone of single points."""
+        points = []
+        for index, place in enumerate(written):
+            point = self.point(place, (*path, "places", index))
+            if point is not None:
+                points.append(point)
+                if not self.on_bed(point):
+                    self.report.add("V401", (*path, "places", index), "not on the bed")
+        return Places(tuple(points))
+
+    def half_planes(
+        self, shape: ZoneShape, path: KeyPath, lines: Mapping[LineId, Line]
+    ) -> list[HalfPlane]:
+        """Return the sides of lines that bound a zone."""
+        found = []
+        for key, way in _WAYS.items():
+            for index, name in enumerate(getattr(shape, key)):
+                where: KeyPath = (*path, key, index)
+                if name not in self.spec.lines:
+                    self.report.unknown("V303", where, "line", name, self.spec.lines)
+                elif LineId(name) in lines:
+                    half = _half_plane(lines[LineId(name)], way, closed=shape.with_line)
+                    if half is None:
+                        mend = "left_of and right_of go with lines along, the others across"
+                        self.report.add("V110", where, f"line `{name}` has no such side", mend)
+                    else:
+                        found.append(half)
+        return found
+
+    def holds_a_place(self, zone: Area) -> bool:
+        """Tell, on a grid of the bed and at the discs' centres, whether a zone is not empty."""
+        steps = 40
+        grid = [
+            (self.spec.length * (i / steps - 0.5), self.spec.width * (j / steps - 0.5))
+            for i in range(steps + 1)
+            for j in range(steps + 1)
+        ]
+        for part in zone.parts:
+            if isinstance(part, Disc):
+                reach = part.radius / 2
+                ways = ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))
+                grid += [(part.centre[0] + reach * a, part.centre[1] + reach * b) for a, b in ways]
+        return any(self.on_bed(point) and _inside(zone, point) for point in grid)
+
+
+_WAYS = MappingProxyType(
+    {
+        "behind": (-1.0, 0.0),
+        "beyond": (1.0, 0.0),
+        "left_of": (0.0, 1.0),
+        "right_of": (0.0, -1.0),
+    }
+)
+
+
+def _half_plane(line: Line, way: Point, *, closed: bool) -> HalfPlane | None:
+    """Return the side of a line that lies in direction `way`; None where neither does."""
+    dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
+    size = hypot(dx, dy)
+    normal = -dy / size, dx / size
+    along = normal[0] * way[0] + normal[1] * way[1]
+    if abs(along) < 1e-9:
+        return None
+    sign = 1.0 if along > 0 else -1.0
+    return HalfPlane(line.start, (normal[0] * sign + 0.0, normal[1] * sign + 0.0), closed)
+
+
+def _inside(zone: Area, point: Point) -> bool:
+    for part in zone.parts:
+        if isinstance(part, Disc):
+            if hypot(point[0] - part.centre[0], point[1] - part.centre[1]) > part.radius:
+                return False
+        else:
+            away = point[0] - part.point[0], point[1] - part.point[1]
+            if away[0] * part.normal[0] + away[1] * part.normal[1] < 0:
+                return False
+    return True
+
+
+def furnish(surveyor: Surveyor) -> Table | None:
+    """Return the table with its marks; None, and a mistake, where it cannot be built."""
+    spec, report = surveyor.spec, surveyor.report
+    spots, lines = surveyor.spots(), surveyor.lines()
+    zones = surveyor.zones(lines)
+    try:
+        corner = _cut(spec.pockets.corner) if spec.pockets else None
+        side = _cut(spec.pockets.side) if spec.pockets else None
+        table = build_table(
+            spec.length, spec.width, spec.nose_height, corner, side, spec.rail_width
+        )
+    except ValueError as error:
+        report.add("V405", ("table", "pockets"), str(error), on_key=True)
+        return None
+    return replace(
+        table,
+        spots=MappingProxyType(spots),
+        lines=MappingProxyType(lines),
+        zones=MappingProxyType(zones),
+    )
+
+
+def _cut(shape: PocketShape) -> PocketCut:
+    return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)

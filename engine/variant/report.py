@@ -1,0 +1,134 @@
+"""Collecting an author's mistakes and telling each at its place, with a mend.
+
+One idea: every check adds to one Report and goes on; nothing stops at the first mistake.
+"""
+
+from __future__ import annotations
+
+import types
+import typing
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from pydantic import BaseModel
+
+from engine.variant.spec import VariantSpec
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable
+
+    from pydantic import ValidationError
+    from pydantic_core import ErrorDetails
+
+    from engine.variant.locate import KeyPath
+    from engine.variant.source import Node
+    from rulelang.diagnostics import Diagnostic
+
+
+@dataclass(slots=True)
+class Report:
+    """The mistakes found so far in the tree below `root`."""
+
+    root: Node
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    def add(
+        self, code: str, path: KeyPath, message: str, mend: str = "", *, on_key: bool = False
+    ) -> None:
+        """Add a mistake at `path`, which may lead deeper than the tree does."""
+        self.diagnostics.append(self.root.diagnostic(code, path, message, mend, on_key=on_key))
+
+    def unknown(self, code: str, path: KeyPath, what: str, name: str, known: Iterable[str]) -> None:
+        """Add "there is no `what` called `name`" with the nearest of the known names."""
+        self.add(code, path, f"there is no {what} called `{name}`", nearest(name, known))
+
+    def add_shape_errors(self, error: ValidationError, broken: Collection[str]) -> None:
+        """Add every mistake that pydantic found, save what is missing in a `broken` part."""
+        for one in error.errors(include_url=False):
+            if not (one["type"] == "missing" and one["loc"][0] in broken):
+                self._add_shape_error(one)
+
+    def _add_shape_error(self, one: ErrorDetails) -> None:
+        path = tuple(key for key in one["loc"] if key != "[key]")
+        context = one.get("ctx", {})
+        kind = one["type"]
+        if kind.startswith("V"):
+            on_key = one["loc"][-1] == "[key]"
+            self.add(kind, path, context["what"], context["mend"], on_key=on_key)
+        elif kind == "extra_forbidden":
+            known = _known_keys(path[:-1])
+            message = f"`{path[-1]}` is not known here"
+            self.add("V101", path, message, nearest(str(path[-1]), known), on_key=True)
+        elif kind == "missing":
+            self.add("V102", path, f"`{path[-1]}` is missing", f"add `{path[-1]} = ...`")
+        elif kind == "literal_error":
+            mend = f"allowed here: {context['expected']}"
+            self.add("V106", path, f"{one['input']!r} is no choice here", mend)
+        else:
+            code = "V105" if kind in _RANGES else "V103"
+            self.add(code, path, _sentence(one["msg"]), _KINDS.get(kind, ""))
+
+
+_RANGES = {
+    "greater_than",
+    "greater_than_equal",
+    "less_than",
+    "less_than_equal",
+    "too_short",
+    "too_long",
+    "string_too_short",
+    "string_too_long",
+}
+_KINDS = {
+    "string_type": 'a text stands in quotes, as in "text"',
+    "int_type": "write a whole number without quotes",
+    "float_type": "write a number without quotes",
+    "bool_type": "write true or false without quotes",
+    "list_type": "write a list in square brackets, as in [1, 2]",
+    "dict_type": "write a table, as in { key = 1 }",
+    "model_type": "write a table, as in { key = 1 }",
+}
+
+
+def _sentence(message: str) -> str:
+    message = message.replace("Input should be", "this should be")
+    message = message.replace("dictionary", "table").replace("valid integer", "whole number")
+    message = message.replace("or instance of", "such as").replace("valid string", "text")
+    return message[:1].lower() + message[1:]
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return "did you mean ...", or the list of what is known, or nothing."""
+    names = list(known)
+    close = get_close_matches(name, names, 1, 0.6)
+    if close:
+        return f"did you mean `{close[0]}`?"
+    if not names:
+        return ""
+    shown = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
+    return f"known: {shown}"
+
+
+def _known_keys(path: KeyPath) -> list[str]:
+    """Return the keys that the model at `path` below the whole file knows."""
+    model: Any = VariantSpec
+    for key in path:
+        model = _model_in(model)
+        if model is not None and issubclass(model, BaseModel) and key in model.model_fields:
+            model = model.model_fields[str(key)].annotation
+    model = _model_in(model)
+    extra = ["use"] if path in {("table",), ("balls",), ("cloth",)} else []
+    extra += ["extends"] if not path else []
+    return [*model.model_fields, *extra] if model is not None else extra
+
+
+def _model_in(annotation: Any) -> Any:
+    """Return the model class inside an annotation such as `dict[Name, Model] | None`."""
+    if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
+        return annotation if issubclass(annotation, BaseModel) else None
+    for inner in reversed(typing.get_args(annotation)):
+        found = _model_in(inner)
+        if found is not None:
+            return found
+    return None

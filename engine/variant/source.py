@@ -1,0 +1,231 @@
+"""TOML files as trees in which every value knows the file and key it came from.
+
+One idea: parts and extended files are laid over each other as trees of Nodes, so a mistake found
+long after merging is still told at the line that made it.
+Invariant: a Node's path leads to it in its own source.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from engine.variant.locate import KeyPath, Place, locate
+from rulelang.diagnostics import Diagnostic
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+LARGEST_FILE = 256 * 1024
+LONGEST_LINE = 2000
+DEEPEST = 16
+
+_POSITION = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_TOKEN = re.compile(r"\"(?:[^\"\\]|\\.)*\"|'[^']*'|[^\s,\]}=#]+")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """One file as read. `home` is the folder that holds its variants and folders of parts."""
+
+    path: Path
+    home: Path
+    text: str
+    places: Mapping[KeyPath, Place]
+
+    def diagnostic(
+        self, code: str, path: KeyPath, message: str, mend: str, *, on_key: bool
+    ) -> Diagnostic:
+        """Return a mistake at the key or the value of `path`, or of what encloses it."""
+        at = path
+        while at and at not in self.places:
+            at, on_key = at[:-1], True
+        place = self.places.get(at, Place(1, 1, 1, 1))
+        line, column = place.value_line, place.value_column
+        if on_key:
+            line, column = place.line, place.column
+        return diagnostic_at(code, self, line, column, message, mend, dotted(path))
+
+
+def diagnostic_at(
+    code: str, source: Source, line: int, column: int, message: str, mend: str = "", key: str = ""
+) -> Diagnostic:
+    """Return a mistake at a line and column of `source`, with its line of text."""
+    lines = source.text.split("\n")
+    snippet = lines[line - 1].rstrip("\r") if line <= len(lines) else ""
+    token = _TOKEN.match(snippet, column - 1)
+    width = len(token.group()) if token else 1
+    return Diagnostic(
+        code, str(source.path), line, column, message, mend, snippet, width=width, key=key
+    )
+
+
+def dotted(path: KeyPath) -> str:
+    """Return a key path as it is written in TOML, places in arrays in brackets."""
+    text = ""
+    for key in path:
+        if isinstance(key, int):
+            text += f"[{key}]"
+            continue
+        bare = re.fullmatch(r"[A-Za-z0-9_-]+", key)
+        text += ("." if text else "") + (key if bare else f'"{key}"')
+    return text
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Node:
+    """A table, an array or a single value, and where it was written."""
+
+    value: object
+    source: Source
+    path: KeyPath
+
+    @property
+    def table(self) -> dict[str, Node]:
+        """Return the children of a table, none for anything else."""
+        return self.value if isinstance(self.value, dict) else {}
+
+    def plain(self) -> object:
+        """Return the tree as tomllib would give it."""
+        if isinstance(self.value, dict):
+            return {key: child.plain() for key, child in self.value.items()}
+        if isinstance(self.value, list):
+            return [child.plain() for child in self.value]
+        return self.value
+
+    def find(self, path: KeyPath) -> tuple[Node, KeyPath]:
+        """Return the deepest node on the way along `path`, and what of the path is left."""
+        node = self
+        for index, key in enumerate(path):
+            child = node.child(key)
+            if child is None:
+                return node, path[index:]
+            node = child
+        return node, ()
+
+    def child(self, key: str | int) -> Node | None:
+        """Return one child; a point written as an array answers to x and y as well."""
+        if isinstance(self.value, dict):
+            child = self.value.get(key)
+            return child if isinstance(child, Node) else None
+        if isinstance(self.value, list):
+            index = {"x": 0, "y": 1}.get(key, -1) if isinstance(key, str) else key
+            if 0 <= index < len(self.value):
+                found = self.value[index]
+                return found if isinstance(found, Node) else None
+        return None
+
+    def diagnostic(
+        self, code: str, path: KeyPath, message: str, mend: str = "", *, on_key: bool = False
+    ) -> Diagnostic:
+        """Return a mistake at `path` below this node, told in the file that wrote it."""
+        node, rest = self.find(path)
+        return node.source.diagnostic(
+            code, node.path + rest, message, mend, on_key=on_key or bool(rest)
+        )
+
+
+def merge(base: Node, top: Node) -> Node:
+    """Return `base` with everything that `top` says laid over it; arrays are replaced whole."""
+    if not (isinstance(base.value, dict) and isinstance(top.value, dict)):
+        return top
+    table = dict(base.value)
+    for key, child in top.value.items():
+        table[key] = merge(table[key], child) if key in table else child
+    return Node(table, top.source, top.path)
+
+
+def read_source(path: Path, home: Path) -> Node | list[Diagnostic]:
+    """Read one TOML file; return its tree, or what is wrong with it as a whole."""
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            message = f"the file is larger than {LARGEST_FILE // 1024} KiB"
+            return [Diagnostic("V003", str(path), 1, 1, message, "split it into parts")]
+        raw = path.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "cannot be read"
+        return [Diagnostic("V001", str(path), 1, 1, f"cannot read the file: {reason}")]
+    return parse_source(raw, path, home)
+
+
+def parse_source(raw: bytes, path: Path, home: Path) -> Node | list[Diagnostic]:
+    """Return the tree of a file's bytes, or what is wrong with them."""
+    try:
+        text = raw.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        line = raw[: error.start].count(b"\n") + 1
+        column = error.start - (raw.rfind(b"\n", 0, error.start) + 1) + 1
+        mend = "save the file in the encoding UTF-8"
+        return [Diagnostic("V002", str(path), line, column, "this byte is not UTF-8", mend)]
+    blank = Source(path, home, text, {})
+    for number, line_text in enumerate(text.split("\n"), 1):
+        if len(line_text) > LONGEST_LINE:
+            message = f"a line is longer than {LONGEST_LINE} characters"
+            return [Diagnostic("V003", str(path), number, 1, message, "break the line")]
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        return [_syntax(error, blank)]
+    except (RecursionError, ValueError):
+        return [Diagnostic("V003", str(path), 1, 1, "the file is nested too deeply")]
+    if _too_deep(data):
+        message = f"the file is nested deeper than {DEEPEST} levels"
+        return [Diagnostic("V003", str(path), 1, 1, message)]
+    return _grow(data, Source(path, home, text, locate(text)), ())
+
+
+def _too_deep(data: object) -> bool:
+    """Tell without recursion whether a tree is deeper than DEEPEST."""
+    level = [data]
+    for _ in range(DEEPEST):
+        level = [
+            child
+            for value in level
+            if isinstance(value, dict | list)
+            for child in (value.values() if isinstance(value, dict) else value)
+        ]
+    return bool(level)
+
+
+def _grow(value: object, source: Source, path: KeyPath) -> Node:
+    if isinstance(value, dict):
+        table = {key: _grow(child, source, (*path, key)) for key, child in value.items()}
+        return Node(table, source, path)
+    if isinstance(value, list):
+        array = [_grow(child, source, (*path, index)) for index, child in enumerate(value)]
+        return Node(array, source, path)
+    return Node(value, source, path)
+
+
+_TWICE = ("Cannot overwrite a value", "Cannot declare", "Cannot mutate", "Duplicate inline")
+_MENDS = (
+    ("Expected '='", "write `key = value`; a name with dots or spaces stands in quotes"),
+    ("Invalid value", "a text stands in quotes; true and false are written small"),
+    ("Illegal character", "a text on one line ends with the quote it began with"),
+    ("Unclosed array", "close the array with `]`"),
+    ("Expected ']'", "close the heading with `]`"),
+    ("Unterminated string", "close the text with a quote"),
+    ("Expected newline", "one statement on a line; join texts with a comma in an array"),
+)
+
+
+def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
+    told = str(error)
+    found = _POSITION.search(told)
+    message = told[: found.start()] if found else told
+    line, column = source.text.count("\n") + 1, 1
+    if found and found.group(1):
+        line, column = int(found.group(1)), int(found.group(2))
+    if message.startswith(_TWICE):
+        line = _step_back(source.text, line, column)
+        return diagnostic_at("V005", source, line, 1, message, "keep one of the two")
+    mend = next((mend for start, mend in _MENDS if message.startswith(start)), "")
+    return diagnostic_at("V004", source, line, column, message, mend)
+
+
+def _step_back(text: str, line: int, column: int) -> int:
+    """Return the line of the statement that ends at the start of `line`."""
+    return line - 1 if column == 1 and line > 1 and text else line

@@ -1,0 +1,281 @@
+"""The shape of a variant file, as pydantic models.
+
+One idea: these models say which keys exist and what each may hold; whether the names in them
+fit together is judged afterwards. Invariant: nothing unknown gets through, and no value is
+silently converted.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+from engine.variant.fields import (
+    Coordinate,
+    Factor,
+    Fraction,
+    Gap,
+    Kilograms,
+    Metres,
+    Name,
+    Radians,
+    Rgb,
+    Size,
+    Stem,
+    mistake,
+)
+
+
+class Shape(BaseModel):
+    """What all models share: no unknown keys, no conversion, no change."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class Place(Shape):
+    """A point: `x` and `y`, or a spot's name and how far from it."""
+
+    spot: Name | None = None
+    x: Coordinate | None = None
+    y: Coordinate | None = None
+    dx: Coordinate | None = None
+    dy: Coordinate | None = None
+
+
+def _place(written: object) -> object:
+    if isinstance(written, str):
+        return {"spot": written}
+    if isinstance(written, list):
+        if len(written) != 2:
+            raise mistake("V110", "a point has two coordinates", 'write ["-L/4", 0]')
+        return {"x": written[0], "y": written[1]}
+    if isinstance(written, dict):
+        keys = set(written)
+        if not (keys >= {"x", "y"} and "spot" not in keys) and "spot" not in keys:
+            raise mistake(
+                "V110",
+                "a place is a spot's name, two coordinates, or a spot and a way from it",
+                'write "foot-spot", ["-L/4", 0] or { spot = "foot-spot", dx = "2 R" }',
+            )
+        return written
+    raise mistake(
+        "V110", "a place is a spot's name or two coordinates", 'write "foot-spot" or ["-L/4", 0]'
+    )
+
+
+Point = Annotated[Place, BeforeValidator(_place)]
+
+
+class PocketShape(Shape):
+    """One kind of pocket: mouth from tip to tip, cut angle, shelf, round of the jaw, drop."""
+
+    mouth: Size
+    cut: Radians
+    shelf: Metres = 0.0
+    jaw_radius: Size
+    radius: Size
+
+
+class Pockets(Shape):
+    """The six pockets of a table."""
+
+    corner: PocketShape
+    side: PocketShape
+
+
+class LineShape(Shape):
+    """A line across the bed (`x`), along it (`y`), or between two points."""
+
+    x: Coordinate | None = None
+    y: Coordinate | None = None
+    start: Point | None = None
+    end: Point | None = None
+
+
+def _names(written: object) -> object:
+    return [written] if isinstance(written, str) else written
+
+
+Names = Annotated[list[Name], BeforeValidator(_names)]
+
+
+class DiscShape(Shape):
+    """A round area."""
+
+    centre: Point
+    radius: Size
+
+
+class ZoneShape(Shape):
+    """An area bounded by lines and discs, the whole bed, or some single places.
+
+    `behind` is towards the head, `beyond` towards the foot, left and right as seen from the head.
+    """
+
+    bed: Literal[True] | None = None
+    behind: Names = []
+    beyond: Names = []
+    left_of: Names = []
+    right_of: Names = []
+    disc: DiscShape | None = None
+    places: list[Point] | None = None
+    with_line: bool = False
+
+
+class Rubber(Shape):
+    """Ball on cushion."""
+
+    restitution: Fraction
+    restitution_slope: Factor = 0.0
+    restitution_knee: Factor = 0.0
+    friction: Factor
+
+
+class TableShape(Shape):
+    """The furniture."""
+
+    source: str = ""
+    length: Size
+    width: Size
+    nose_height: Size
+    rail_width: Size
+    rail_colour: Rgb = (92, 51, 23)
+    pocket_colour: Rgb = (12, 12, 12)
+    rubber: Rubber
+    pockets: Pockets | None = None
+    spots: dict[Name, Point] = {}
+    lines: dict[Name, LineShape] = {}
+    zones: dict[Name, ZoneShape] = {}
+
+
+class Contact(Shape):
+    """Ball on ball."""
+
+    restitution: Fraction
+    friction_floor: Factor
+    friction_rise: Factor = 0.0
+    friction_decay: Factor = 0.0
+
+
+class BallShape(Shape):
+    """What is said of one ball or of a range of balls; what is left out is the set's own."""
+
+    diameter: Size | None = None
+    mass: Kilograms | None = None
+    colour: Rgb | None = None
+    pattern: Literal["plain", "stripe", "dots"] | None = None
+    label: str | None = Field(default=None, max_length=8)
+    value: int | Literal["number"] | None = None
+    groups: list[Name] = []
+    spot: Name | None = None
+
+
+class BallSet(Shape):
+    """A set of balls: what all share, and each by its name or range of names."""
+
+    source: str = ""
+    diameter: Size
+    mass: Kilograms
+    contact: Contact
+    ball: dict[str, BallShape] = Field(min_length=1)
+
+
+class ClothShape(Shape):
+    """Friction of the bed."""
+
+    source: str = ""
+    colour: Rgb
+    sliding: Factor
+    rolling: Factor
+    spin_deceleration: Factor
+    threshold: Factor = 1.5
+
+
+class CueShape(Shape):
+    """The cue."""
+
+    source: str = ""
+    mass: Kilograms
+    tip_restitution: Fraction
+    tip_friction: Factor
+    end_mass_ratio: Annotated[float, Field(gt=0, le=1000)]
+
+
+class Players(Shape):
+    """How many play."""
+
+    fewest: Annotated[int, Field(ge=1, le=64)]
+    most: Annotated[int, Field(ge=1, le=64)]
+    usual: Annotated[int, Field(ge=1, le=64)]
+
+
+def _players(written: object) -> object:
+    if isinstance(written, int) and not isinstance(written, bool):
+        return {"fewest": written, "most": written, "usual": written}
+    return written
+
+
+def _value(written: object) -> object:
+    if isinstance(written, bool | int | str):
+        return written
+    raise mistake("V103", "expected a whole number, a text, true or false")
+
+
+Value = Annotated[bool | int | str, BeforeValidator(_value)]
+
+
+class SettingShape(Shape):
+    """A house rule."""
+
+    default: Value
+    choices: list[Value] = []
+    about: str = ""
+
+
+class Pattern(Shape):
+    """Balls in touching rows; see the reference for the words a row may hold."""
+
+    apex: Point
+    rows: Annotated[list[str], Field(min_length=1, max_length=20)]
+    balls: list[str]
+    lots: dict[Name, list[str]] = {}
+    gap: Gap = 0.0
+    by_lot: bool = True
+    apex_row: Annotated[int, Field(ge=1, le=20)] = 1
+
+
+class RackShape(Shape):
+    """How balls lie at the start; a ball that is not named is in hand or not in play."""
+
+    pattern: Pattern | None = None
+    places: dict[Name, Point] = {}
+    own_spots: list[str] = []
+
+
+class ModelNames(Shape):
+    """The physical models by name; what is left out is the engine's own choice."""
+
+    solver: str | None = None
+    motion: str | None = None
+    ball_ball: str | None = None
+    ball_cushion: str | None = None
+    strike: str | None = None
+    pocket: str | None = None
+
+
+class VariantSpec(Shape):
+    """A whole variant file, its parts put in place."""
+
+    title: Annotated[str, Field(min_length=1, max_length=80)]
+    rulebook: Annotated[str, Field(min_length=1, max_length=200)]
+    rules: Stem | None = None
+    table: TableShape
+    balls: BallSet
+    cloth: ClothShape
+    cue: CueShape
+    models: ModelNames = ModelNames()
+    players: Annotated[Players, BeforeValidator(_players)]
+    cue_balls: Annotated[list[str], Field(min_length=1, max_length=64)]
+    rack: RackShape = RackShape()
+    settings: dict[Name, SettingShape] = {}
