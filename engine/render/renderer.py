@@ -1,0 +1,43 @@
+"""What a renderer is, and the three of them by name.
+
+Invariant: every renderer draws the same scene; switching changes the manner and nothing else.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from engine.render.image import Picture
+    from engine.scene.scene import Scene
+
+RENDERERS = ("wireframe", "painter", "scanline")
+
+
+class Renderer(Protocol):
+    """Draws scenes into pictures."""
+
+    def render(self, scene: Scene, image: Picture) -> None:
+        """Draw `scene` over the whole of `image`: (h, w) uint32 or (h, w, 3 or 4) uint8."""
+
+    def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
+        """Compile or load what is needed; tell `progress` what is done, and its share 0 to 1."""
+
+
+def make_renderer(name: str) -> Renderer:
+    """Return a new renderer by name; raises ValueError for a name that is not known."""
+    if name == "wireframe":
+        from engine.render.wireframe import Wireframe
+
+        return Wireframe()
+    if name == "painter":
+        from engine.render.painter import Painter
+
+        return Painter()
+    if name == "scanline":
+        from engine.render.scanline import Scanline
+
+        return Scanline()
+    raise ValueError(f"there is no renderer {name!r}; choose from {', '.join(RENDERERS)}")

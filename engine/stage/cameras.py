@@ -1,0 +1,62 @@
+"""Where to look from: behind a ball, from above, and round the table."""
+
+from __future__ import annotations
+
+from math import cos, radians, sin, tan
+from typing import TYPE_CHECKING
+
+from engine.scene.camera import Camera, orbit
+from engine.stage.dimensions import measure
+
+if TYPE_CHECKING:
+    from engine.table.furniture import Point, Table
+
+ABOVE_FIELD = radians(24.0)
+MARGIN = 1.03
+
+
+def above_camera(table: Table, aspect: float, margin: float = MARGIN) -> Camera:
+    """Return a camera straight above that shows the whole table in a window of any ratio.
+
+    `aspect` is width over height of the window; the table's long way follows the window's.
+    """
+    frame = measure(table)
+    x, y = frame.outer
+    lying = aspect >= 1.0
+    across, along = (x, y) if lying else (y, x)
+    slope = tan(ABOVE_FIELD / 2.0)
+    height = frame.top + margin * max(across / (slope * aspect), along / slope)
+    up = (0.0, 1.0, 0.0) if lying else (1.0, 0.0, 0.0)
+    return Camera((0.0, 0.0, height), (0.0, 0.0, 0.0), up, ABOVE_FIELD)
+
+
+def cue_camera(
+    table: Table,
+    ball: Point,
+    heading: float,
+    *,
+    back: float = 0.85,
+    height: float = 0.42,
+    field: float = radians(46.0),
+) -> Camera:
+    """Return a camera behind a ball at `ball` (m) that looks along `heading` (rad).
+
+    `back` and `height` are the eye's distance behind the ball and above the bed, m.
+    """
+    ahead = cos(heading), sin(heading)
+    eye = ball[0] - back * ahead[0], ball[1] - back * ahead[1], height + table.nose_height
+    reach = 0.55 + 0.12 * table.length
+    target = ball[0] + reach * ahead[0], ball[1] + reach * ahead[1], 0.0
+    return Camera(eye, target, field=field)
+
+
+def orbit_camera(
+    table: Table, azimuth: float, elevation: float, distance: float | None = None
+) -> Camera:
+    """Return a camera that looks at the table's middle; elevation in (0, pi/2), rad.
+
+    Without a `distance` (m) it stands as far as the table's length asks.
+    """
+    steep = min(max(elevation, 0.03), 1.55)
+    away = distance if distance is not None else 1.05 * table.length + 0.35
+    return orbit((0.0, 0.0, 0.0), azimuth, steep, max(away, 0.1), radians(42.0))

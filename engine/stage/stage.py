@@ -1,0 +1,178 @@
+"""The stage: what a game looks like, as a scene for the renderers.
+
+One idea: what never moves is built once and handed over as the same objects every frame; a
+frame only places balls and cue and lays their shadows.
+Invariant: everything follows from the table, the balls' kinds and the look; no game is named.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+from typing import TYPE_CHECKING
+
+from engine.scene.scene import GameObject, Light, Scene
+from engine.scene.shape import Disc, Mesh, Polyline, Sphere
+from engine.stage import marks
+from engine.stage.bed import build_bed, build_pocket
+from engine.stage.cue import CuePose, cue_meshes, place_cue
+from engine.stage.cushions import build_cushions
+from engine.stage.dimensions import measure
+from engine.stage.rails import build_rails
+from engine.stage.skin import facing, paint_skin
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from engine.physics.world import Ball
+    from engine.scene.camera import Camera, Vector
+    from engine.scene.shape import Rgb
+    from engine.stage.dimensions import Frame
+    from engine.table.furniture import BallId, Table
+    from engine.variant.variant import BallKind, Look, Variant
+
+LAMP_HEIGHT = 0.95
+LAMP_SPACING = 1.3
+BRIGHTNESS = 0.80
+"""Light of all lamps on the bed, on the average."""
+CHALK: Rgb = (214, 218, 208)
+SIGHT: Rgb = (236, 226, 198)
+FAR = 10.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stage:
+    """A table ready to be shown: `furniture` never moves, `spheres` has each ball's look."""
+
+    table: Table
+    furniture: GameObject
+    spheres: Mapping[BallId, Sphere]
+    cue: tuple[Mesh, ...]
+    lamps: tuple[Light, ...]
+    spots: tuple[Disc, ...]
+
+    def scene(
+        self,
+        positions: Mapping[BallId, Vector],
+        camera: Camera,
+        *,
+        orientations: Mapping[BallId, NDArray[np.float64]] | None = None,
+        cue: CuePose | None = None,
+        aids: Sequence[Mesh | Polyline] = (),
+        discs: Sequence[Disc] = (),
+    ) -> Scene:
+        """Return the scene with balls at `positions` (m, their centres) seen by `camera`.
+
+        `orientations` are (3, 3) from each ball's own frame to the world's; a ball without one
+        shows its label. `aids` are lines and tints on the cloth, `discs` further flat marks.
+        """
+        turned = orientations or {}
+        rest = _REST
+        balls = [
+            GameObject((self.spheres[ball],), place, turned.get(ball, rest))
+            for ball, place in positions.items()
+            if -FAR < place[2] < FAR
+        ]
+        objects = [self.furniture]
+        if aids:
+            objects.append(GameObject(tuple(aids)))
+        objects += balls
+        if cue is not None:
+            objects.append(place_cue(self.cue, cue))
+        return Scene(
+            objects=tuple(objects),
+            lights=self.lamps,
+            camera=camera,
+            ambient=0.34,
+            marks=(*self.spots, *discs),
+            shadows=tuple(
+                shadow
+                for ball, place in positions.items()
+                for shadow in self._shadows(place, self.spheres[ball].radius)
+            ),
+        )
+
+    def _shadows(self, place: Vector, radius: float) -> list[Disc]:
+        """Return a ball's shadow from each lamp, and the dark where it touches the cloth."""
+        x, y, z = place
+        if z < 0.5 * radius:
+            return []
+        found = []
+        for lamp in self.lamps:
+            lx, ly, lz = lamp.position
+            stretch = z / (lz - z)
+            centre = x + (x - lx) * stretch, y + (y - ly) * stretch, marks.LIFT
+            away = ((x - lx) ** 2 + (y - ly) ** 2) ** 0.5
+            if away < 1.6 * LAMP_SPACING:
+                strength = 0.34 / (1.0 + 0.6 * away)
+                found.append(Disc(centre, 1.22 * radius, (0, 0, 0), strength, 0.7 * radius))
+        fade = max(0.0, 1.0 - (z - radius) / (4.0 * radius))
+        ground = x, y, marks.LIFT
+        found.append(Disc(ground, 0.92 * radius, (0, 0, 0), 0.55 * fade, 0.8 * radius))
+        return found
+
+
+_REST = facing()
+
+
+def build_stage(variant: Variant) -> Stage:
+    """Return the stage of a variant, built once."""
+    return stage_of(variant.world.table, variant.world.balls, variant.balls, variant.look)
+
+
+def stage_of(
+    table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], look: Look
+) -> Stage:
+    """Return the stage of a table with balls of these bodies and kinds."""
+    frame = measure(table)
+    radii = {body.id: body.radius for body in bodies}
+    spheres = {
+        kind.id: Sphere(
+            radii[kind.id], kind.colour, paint_skin(kind.colour, kind.pattern, kind.label)
+        )
+        for kind in kinds
+    }
+    return Stage(
+        table=table,
+        furniture=GameObject(_furniture(table, frame, look), fixed=True),
+        spheres=spheres,
+        cue=cue_meshes(),
+        lamps=_lamps(table),
+        spots=marks.build_spots(table, CHALK),
+    )
+
+
+def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline, ...]:
+    liner = _mix(look.pocket, (58, 54, 50), 0.35)
+    return (
+        *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
+        build_bed(table, frame, look.cloth),
+        *marks.build_lines(table, CHALK),
+        *build_cushions(table, frame, look.cloth),
+        *build_rails(table, frame, look.rail, liner),
+        *marks.build_sights(table, frame, SIGHT),
+    )
+
+
+def _mix(a: Rgb, b: Rgb, share: float) -> Rgb:
+    red, green, blue = (round(u + (v - u) * share) for u, v in zip(a, b, strict=True))
+    return red, green, blue
+
+
+def _lamps(table: Table) -> tuple[Light, ...]:
+    """Return a row of lamps along the table, with `BRIGHTNESS` on the bed on the average."""
+    count = max(1, ceil(table.length / LAMP_SPACING - 0.5))
+    places = [table.length * ((k + 0.5) / count - 0.5) for k in range(count)]
+    grid = [
+        (table.length * (i / 8.0 - 0.5), table.width * (j / 8.0 - 0.5))
+        for i in range(9)
+        for j in range(9)
+    ]
+    light = sum(
+        LAMP_HEIGHT / ((x - lamp) ** 2 + y * y + LAMP_HEIGHT**2) for x, y in grid for lamp in places
+    ) / len(grid)
+    power = BRIGHTNESS / light
+    return tuple(Light((x, 0.0, LAMP_HEIGHT), power) for x in places)
