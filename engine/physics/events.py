@@ -77,11 +77,5 @@ class BallStopped:
 
 
 Event = (
-    BallsCollided
-    | CushionHit
-    | JawHit
-    | BallPocketed
-    | BallLeftTable
-    | RollingBegan
-    | BallStopped
+    BallsCollided | CushionHit | JawHit | BallPocketed | BallLeftTable | RollingBegan | BallStopped
 )

@@ -124,5 +124,3 @@ class Strike:
     elevation: float = 0.0
     side: float = 0.0
     follow: float = 0.0
-
-

@@ -1,0 +1,144 @@
+"""What one meeting of two balls does to them: models `elastic` and `frictional`.
+
+One idea: an impulse along the line of centres by restitution, and across it by Coulomb friction
+that never more than stops the slip (Alciatore TP A.14; limit 2/7 of the reduced mass times slip).
+Balls stay on the bed: the vertical part turns spin but lifts nothing. Invariant: momentum in the
+plane is exact, energy is never gained, and swapping the two balls changes no bit.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import TYPE_CHECKING
+
+from numba import njit
+
+from engine.physics.state import (
+    ELASTIC,
+    G_BALL_BALL,
+    G_DECAY,
+    G_E,
+    G_FLOOR,
+    G_RISE,
+    KICK,
+    MASS,
+    RADIUS,
+    SOFT,
+    VX,
+    VY,
+    WX,
+    WY,
+    WZ,
+    X,
+    Y,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@njit(cache=True, error_model="numpy")
+def friction(world: Floats, slip: float) -> float:
+    """Return the friction coefficient at a slip speed (m/s); Alciatore TP A.28 for its form."""
+    mu: float = world[G_FLOOR] + world[G_RISE] * exp(-world[G_DECAY] * slip)
+    return mu
+
+
+@njit(cache=True, error_model="numpy")
+def closing_speed(one: Floats, two: Floats) -> float:
+    """Return how fast two balls near each other along their line of centres, m/s."""
+    nx, ny = two[X] - one[X], two[Y] - one[Y]
+    gap = sqrt(nx * nx + ny * ny)
+    return ((one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny) / gap
+
+
+@njit(cache=True, error_model="numpy")
+def spin_energy(ball: Floats) -> float:
+    """Return the energy of rotation, J."""
+    spin = ball[WX] * ball[WX] + ball[WY] * ball[WY] + ball[WZ] * ball[WZ]
+    return 0.2 * ball[MASS] * ball[RADIUS] * ball[RADIUS] * spin
+
+
+@njit(cache=True, error_model="numpy")
+def scale_spin(ball: Floats, factor: float) -> None:
+    """Multiply all of the ball's spin."""
+    ball[WX] *= factor
+    ball[WY] *= factor
+    ball[WZ] *= factor
+
+
+@njit(cache=True, error_model="numpy")
+def rub(
+    one: Floats, two: Floats, world: Floats, nx: float, ny: float, pressed: float, share: float
+) -> None:
+    """Apply the friction that goes with a normal impulse `pressed` (N s) along (nx, ny).
+
+    `share` (at most 1) is the part of the stopping impulse that may act.
+    """
+    reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
+    wx = one[RADIUS] * one[WX] + two[RADIUS] * two[WX]
+    wy = one[RADIUS] * one[WY] + two[RADIUS] * two[WY]
+    wz = one[RADIUS] * one[WZ] + two[RADIUS] * two[WZ]
+    along = (one[VY] - two[VY]) * nx - (one[VX] - two[VX]) * ny + wz
+    upward = wx * ny - wy * nx
+    slip = sqrt(along * along + upward * upward)
+    if slip <= 1e-15:
+        return
+    impulse = min(friction(world, slip) * pressed, share * slip * reduced / 3.5)
+    across, up = -impulse * along / slip, -impulse * upward / slip
+    one[VX] -= across * ny / one[MASS]
+    one[VY] += across * nx / one[MASS]
+    two[VX] += across * ny / two[MASS]
+    two[VY] -= across * nx / two[MASS]
+    _twist(one, nx, ny, across, up)
+    _twist(two, nx, ny, across, up)
+
+
+@njit(cache=True, error_model="numpy")
+def _twist(ball: Floats, nx: float, ny: float, across: float, up: float) -> None:
+    lever = 2.5 / (ball[MASS] * ball[RADIUS])
+    ball[WX] += lever * up * ny
+    ball[WY] -= lever * up * nx
+    ball[WZ] += lever * across
+
+
+@njit(cache=True, error_model="numpy")
+def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
+    """Resolve one meeting; return the speed of approach (m/s)."""
+    nx, ny = two[X] - one[X], two[Y] - one[Y]
+    gap = sqrt(nx * nx + ny * ny)
+    nx, ny = nx / gap, ny / gap
+    speed = (one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny
+    reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
+    leaving = world[G_E] * speed
+    if speed < SOFT:
+        leaving = _rest_apart(one, two, speed, reduced)
+    impulse = (speed + leaving) * reduced
+    one[VX] -= impulse * nx / one[MASS]
+    one[VY] -= impulse * ny / one[MASS]
+    two[VX] += impulse * nx / two[MASS]
+    two[VY] += impulse * ny / two[MASS]
+    if world[G_BALL_BALL] != ELASTIC:
+        rub(one, two, world, nx, ny, impulse, 1.0)
+    return speed
+
+
+@njit(cache=True, error_model="numpy")
+def _rest_apart(one: Floats, two: Floats, speed: float, reduced: float) -> float:
+    """Return the leaving speed of a resting contact, taking any gain from the balls' spin."""
+    if speed >= KICK:
+        return speed
+    gain = 0.5 * reduced * (KICK * KICK - speed * speed)
+    store = spin_energy(one) + spin_energy(two)
+    if store <= 2.0 * gain:
+        return max(speed, 0.0)
+    factor = sqrt(1.0 - gain / store)
+    scale_spin(one, factor)
+    scale_spin(two, factor)
+    return KICK
+
+
+__all__ = ["closing_speed", "friction", "rub", "scale_spin", "spin_energy", "strike_apart"]

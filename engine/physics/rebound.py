@@ -1,0 +1,104 @@
+"""What a nose does to a ball: models `restitution` and `han-2005`.
+
+One idea: in the frame X along the nose, Y into it, Z up, the nose touches the ball at height h,
+so at the angle theta above its centre, sin(theta) = (h - R) / R. Invariant: the ball leaves with
+no speed into the nose, stays on the bed and gains no energy.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import TYPE_CHECKING
+
+from numba import njit
+
+from engine.physics.collide import scale_spin, spin_energy
+from engine.physics.state import (
+    G_CUSHION,
+    G_FRICTION,
+    G_KNEE,
+    G_NOSE,
+    G_RUBBER,
+    G_SLOPE,
+    KICK,
+    MASS,
+    RADIUS,
+    REACH,
+    RESTITUTION,
+    SOFT,
+    VX,
+    VY,
+    WX,
+    WY,
+    WZ,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@njit(cache=True, error_model="numpy")
+def bounce(ball: Floats, world: Floats, ix: float, iy: float) -> float:
+    """Resolve a hit on a nose that lies in the direction (ix, iy); return the normal speed."""
+    speed = ball[VX] * ix + ball[VY] * iy
+    if speed < SOFT:
+        leaving = _rest(ball, speed)
+        ball[VX] -= (speed + leaving) * ix
+        ball[VY] -= (speed + leaving) * iy
+        return speed
+    restitution = world[G_RUBBER] - world[G_SLOPE] * max(0.0, speed - world[G_KNEE])
+    restitution = min(max(restitution, 0.0), 1.0)
+    if world[G_CUSHION] == RESTITUTION:
+        ball[VX] -= (1.0 + restitution) * speed * ix
+        ball[VY] -= (1.0 + restitution) * speed * iy
+    else:
+        _han(ball, world, ix, iy, restitution)
+    return speed
+
+
+@njit(cache=True, error_model="numpy")
+def _rest(ball: Floats, speed: float) -> float:
+    """Return the leaving speed of a resting contact, taking any gain from the ball's spin."""
+    if speed >= KICK:
+        return speed
+    gain = 0.5 * ball[MASS] * (KICK * KICK - speed * speed)
+    store = spin_energy(ball)
+    if store <= 2.0 * gain:
+        return max(speed, 0.0)
+    scale_spin(ball, sqrt(1.0 - gain / store))
+    return KICK
+
+
+@njit(cache=True, error_model="numpy")
+def _han(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) -> None:
+    """Han 2005 with the corrected equations: one free-body impulse, stick or slip as a whole."""
+    radius = ball[RADIUS]
+    rise = (world[G_NOSE] - radius) / radius
+    level = ball[REACH] / radius
+    ax, ay = iy, -ix
+    along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
+    spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
+    spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
+    spin_z = radius * ball[WZ]
+    slip_x = along + spin_y * rise - spin_z * level
+    slip_t = spin_x - into * rise
+    slip = sqrt(slip_x * slip_x + slip_t * slip_t)
+    pressed = (1.0 + restitution) * into * level
+    push = min(world[G_FRICTION] * pressed, slip / 3.5)
+    px = -push * slip_x / slip if slip > 0.0 else 0.0
+    pt = -push * slip_t / slip if slip > 0.0 else 0.0
+    along += px
+    into -= pressed * level + pt * rise
+    spin_x += 2.5 * pt
+    spin_y += 2.5 * rise * px
+    spin_z -= 2.5 * level * px
+    ball[VX], ball[VY] = along * ax + into * ix, along * ay + into * iy
+    ball[WX] = (spin_x * ax + spin_y * ix) / radius
+    ball[WY] = (spin_x * ay + spin_y * iy) / radius
+    ball[WZ] = spin_z / radius
+
+
+__all__ = ["bounce"]

@@ -1,0 +1,164 @@
+"""From a strike to a trace: the one entrance to the solvers.
+
+One idea: a `Simulation` owns the arrays, the jitted solver runs them from event to event, and the
+trace is read off them; how time is cut up for asking never reaches the arrays. Invariant: same
+input, same bits, whatever the chunks. The kernels are loaded on first use, not at import.
+"""
+
+from __future__ import annotations
+
+from math import inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from engine.physics import state
+from engine.physics.pack import (
+    pack_balls,
+    pack_noses,
+    pack_pockets,
+    pack_world,
+    select_balls,
+)
+from engine.physics.strike import strike_ball
+from engine.physics.trace import Trace
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from engine.physics.world import Layout, Strike, World
+    from engine.table.furniture import BallId
+
+    Floats = NDArray[np.float64]
+
+EVENT_CAP = 100_000
+
+
+class EventStormError(RuntimeError):
+    """More events than any real shot has; `layout`, `ball` and `strike` reproduce it."""
+
+    def __init__(self, layout: Layout, ball: BallId, strike: Strike) -> None:
+        super().__init__(f"more than {EVENT_CAP} events: {ball} {strike} in {dict(layout)}")
+        self.layout, self.ball, self.strike = layout, ball, strike
+
+
+class Simulation:
+    """One shot in progress."""
+
+    def __init__(self, world: World, layout: Layout, ball: BallId, strike: Strike) -> None:
+        """Set the balls and strike one of them; raises ValueError for what cannot be played."""
+        if ball not in layout:
+            message = f"the ball to strike is not on the table: {ball}"
+            raise ValueError(message)
+        self._world, self._layout, self._ball, self._strike = world, layout, ball, strike
+        self._balls = select_balls(world, layout)
+        self._rows, self._kinds = pack_balls(world, layout)
+        self._numbers = pack_world(world)
+        self._noses, self._owners = pack_noses(world.table)
+        self._drops = pack_pockets(world.table)
+        n = len(self._balls)
+        self._pairs = np.full((n, n), inf)
+        self._foreseen = np.zeros((n, 6))
+        self._foreseen[:, :3] = inf
+        self._pieces = np.empty((2 * n * n + 256, state.PIECE_WIDTH))
+        self._events = np.empty((2 * n * n + 256, state.EVENT_WIDTH))
+        self._counts = np.array([0, 0, 0, EVENT_CAP], dtype=np.int64)
+        self._clock = np.zeros(2)
+        self.finished = False
+        self._strike_one()
+
+    def _strike_one(self) -> None:
+        i = next(k for k, ball in enumerate(self._balls) if ball.id == self._ball)
+        world = self._world
+        motion = strike_ball(self._balls[i], world.cue, world.cloth, self._strike)
+        row = self._rows[i]
+        row[[state.VX, state.VY]] = motion.velocity
+        row[[state.WX, state.WY, state.WZ]] = motion.spin
+        self._kinds[i] = state.SLIDE
+
+    def advance(self, until: float) -> None:
+        """Carry out all events up to `until` (s)."""
+        from engine.physics.stepwise import DONE, FULL, STORM, run  # noqa: PLC0415  numba
+
+        while not self.finished:
+            answer = run(
+                self._rows,
+                self._kinds,
+                self._numbers,
+                self._noses,
+                self._drops,
+                self._pairs,
+                self._foreseen,
+                self._pieces,
+                self._events,
+                self._counts,
+                self._clock,
+                until,
+            )
+            if answer == STORM:
+                raise EventStormError(self._layout, self._ball, self._strike)
+            if answer == FULL:
+                self._pieces = np.concatenate([self._pieces, np.empty_like(self._pieces)])
+                self._events = np.concatenate([self._events, np.empty_like(self._events)])
+                continue
+            self.finished = answer == DONE
+            if not self.finished:
+                self._clock[1] = max(self._clock[1], until)
+                return
+
+    def trace(self) -> Trace:
+        """Return the shot as far as it has been carried out."""
+        now = float(self._clock[0] if self.finished else self._clock[1])
+        closed = self._pieces[: self._counts[0]]
+        pieces = np.concatenate([closed, self._open_pieces(now)])
+        order = np.lexsort((pieces[:, state.P_T0], pieces[:, state.P_BALL]))
+        return Trace(
+            balls=self._balls,
+            pieces=pieces[order],
+            log=self._events[: self._counts[1]].copy(),
+            owners=self._owners,
+            pockets=tuple(pocket.id for pocket in self._world.table.pockets),
+            spin_rate=self._world.cloth.spin_deceleration,
+            duration=now,
+        )
+
+    def _open_pieces(self, now: float) -> Floats:
+        """Return the pieces that have not ended, cut off `now`."""
+        done = {int(ball) for ball in self._pieces[: self._counts[0], state.P_BALL]}
+        rows = []
+        for i, row in enumerate(self._rows):
+            gone = self._kinds[i] == state.GONE
+            if gone and i in done:
+                continue
+            piece = np.zeros(state.PIECE_WIDTH)
+            piece[: state.P_X] = i, row[state.T0], row[state.T0] if gone else now, self._kinds[i]
+            piece[state.P_X : state.P_WZ + 1] = row[state.X : state.WZ + 1]
+            piece[state.P_AX : state.P_BY + 1] = row[state.AX : state.BY + 1]
+            rows.append(piece)
+        return np.array(rows).reshape(len(rows), state.PIECE_WIDTH)
+
+
+def simulate(world: World, layout: Layout, ball: BallId, strike: Strike) -> Trace:
+    """Return the whole shot until all is at rest.
+
+    Raises ValueError for a world, layout or strike that cannot be, EventStormError for a bug.
+    """
+    simulation = Simulation(world, layout, ball, strike)
+    simulation.advance(inf)
+    return simulation.trace()
+
+
+def warm_up(progress: Callable[[str], None] | None = None) -> None:
+    """Compile or load the kernels by playing a tiny shot; `progress` hears what goes on."""
+    from engine.physics.trial import play_trial  # noqa: PLC0415  only needed here
+
+    if progress is not None:
+        progress("preparing the physics (once per installation)")
+    play_trial()
+    if progress is not None:
+        progress("physics ready")
+
+
+__all__ = ["EventStormError", "Simulation", "simulate", "warm_up"]

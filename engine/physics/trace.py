@@ -1,0 +1,197 @@
+"""A shot's trace: what every ball did and when, as plain arrays.
+
+One idea: the solver's pieces are exact formulas, so any question about any time is answered from
+them, lazily and in any order, without a further step of simulation. Invariant: a trace never
+changes, and its `hash` covers every bit of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from hashlib import sha256
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from engine.physics import events as happened
+from engine.physics import state
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from engine.physics.events import Event
+    from engine.physics.pack import Owner
+    from engine.physics.world import Ball, Layout
+    from engine.table.furniture import BallId, Point, PocketId
+
+    Floats = NDArray[np.float64]
+
+Piece = tuple[float, float, "Point", "Point", "Point"]
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """A simulated shot.
+
+    `balls` are those on the table, in the order of every array's ball axis; `pieces` (m, 15) and
+    `log` (k, 5) have the columns P_* and E_* of `engine.physics.state`, pieces sorted by ball and
+    time; `duration` is in s; `spin_rate` is the loss of side spin in rad/s^2.
+    """
+
+    balls: tuple[Ball, ...]
+    pieces: Floats
+    log: Floats
+    owners: tuple[Owner, ...]
+    pockets: tuple[PocketId, ...]
+    spin_rate: float
+    duration: float
+
+    def events(self) -> tuple[Event, ...]:
+        """Return the events in order, typed."""
+        return tuple(self._event(row) for row in self.log)
+
+    def positions(self, times: ArrayLike) -> Floats:
+        """Return the centres (T, n, 3) in m; a ball that is gone rests below the bed."""
+        at, rows, s = self._find(times)
+        radii = np.array([ball.radius for ball in self.balls])
+        out = np.empty((len(at), len(self.balls), 3))
+        for k, v, a in ((0, state.P_VX, state.P_AX), (1, state.P_VY, state.P_AY)):
+            out[..., k] = rows[..., state.P_X + k] + s * (rows[..., v] + 0.5 * s * rows[..., a])
+        out[..., 2] = np.where(at[:, None] > self._gone_at()[None, :], -radii, radii)
+        return out
+
+    def velocities(self, times: ArrayLike) -> Floats:
+        """Return the velocities (T, n, 3) in m/s."""
+        at, rows, s = self._find(times)
+        out = np.zeros((len(at), len(self.balls), 3))
+        moving = (at[:, None] < self._ends()[None, :]) | (s == 0.0)
+        out[..., 0] = rows[..., state.P_VX] + s * rows[..., state.P_AX]
+        out[..., 1] = rows[..., state.P_VY] + s * rows[..., state.P_AY]
+        return np.where(moving[..., None], out, 0.0)
+
+    def spins(self, times: ArrayLike) -> Floats:
+        """Return the angular velocities (T, n, 3) in rad/s."""
+        at, rows, s = self._find(times)
+        out = np.zeros((len(at), len(self.balls), 3))
+        moving = (at[:, None] < self._ends()[None, :]) | (s == 0.0)
+        out[..., 0] = rows[..., state.P_WX] + s * rows[..., state.P_BX]
+        out[..., 1] = rows[..., state.P_WY] + s * rows[..., state.P_BY]
+        side = rows[..., state.P_WZ]
+        out[..., 2] = np.sign(side) * np.maximum(np.abs(side) - self.spin_rate * s, 0.0)
+        return np.where(moving[..., None], out, 0.0)
+
+    def orientations(self, times: ArrayLike) -> Floats:
+        """Return the rotations (T, n, 3, 3) from each ball's start to `times`."""
+        from engine.physics.turning import orientations  # noqa: PLC0415  only pictures need it
+
+        return orientations(self, np.atleast_1d(np.asarray(times, dtype=np.float64)))
+
+    def kinetic_energy(self, times: ArrayLike) -> Floats:
+        """Return the energy (T,) of motion and rotation of all balls, J."""
+        mass = np.array([ball.mass for ball in self.balls])
+        radius = np.array([ball.radius for ball in self.balls])
+        v2 = (self.velocities(times) ** 2).sum(-1)
+        w2 = (self.spins(times) ** 2).sum(-1)
+        total: Floats = (mass * (0.5 * v2 + 0.2 * radius**2 * w2)).sum(-1)
+        return total
+
+    def pieces_of(self, ball: BallId) -> tuple[Piece, ...]:
+        """Return the ball's pieces (t0, t1, r, v, a): place r + v s + a s^2 / 2, s = t - t0."""
+        rows = self.pieces[self.pieces[:, state.P_BALL] == self._index(ball)]
+        return tuple(
+            (
+                float(row[state.P_T0]),
+                float(row[state.P_T1]),
+                (float(row[state.P_X]), float(row[state.P_Y])),
+                (float(row[state.P_VX]), float(row[state.P_VY])),
+                (float(row[state.P_AX]), float(row[state.P_AY])),
+            )
+            for row in rows
+        )
+
+    @property
+    def final(self) -> Layout:
+        """Return where the balls that are still on the bed lie at the end."""
+        gone = {int(row[state.E_FIRST]) for row in self.log if row[state.E_KIND] in _DEPARTURES}
+        places = self.positions([self.duration])[0]
+        return MappingProxyType(
+            {
+                ball.id: (float(places[i, 0]), float(places[i, 1]))
+                for i, ball in enumerate(self.balls)
+                if i not in gone
+            }
+        )
+
+    @property
+    def pocketed(self) -> dict[BallId, PocketId]:
+        """Return which ball dropped into which pocket, in order."""
+        return {
+            self.balls[int(row[state.E_FIRST])].id: self.pockets[int(row[state.E_SECOND])]
+            for row in self.log
+            if row[state.E_KIND] == state.DROPPED
+        }
+
+    def hash(self) -> str:
+        """Return a digest of all bits of pieces, events and duration."""
+        digest = sha256(" ".join(ball.id for ball in self.balls).encode())
+        digest.update(np.ascontiguousarray(self.pieces).tobytes())
+        digest.update(np.ascontiguousarray(self.log).tobytes())
+        digest.update(np.float64(self.duration).tobytes())
+        return digest.hexdigest()
+
+    def _index(self, ball: BallId) -> int:
+        return next(i for i, known in enumerate(self.balls) if known.id == ball)
+
+    def _starts(self) -> NDArray[np.int64]:
+        owners = self.pieces[:, state.P_BALL]
+        return np.searchsorted(owners, np.arange(len(self.balls) + 1), side="left")
+
+    def _ends(self) -> Floats:
+        starts = self._starts()
+        ends: Floats = self.pieces[starts[1:] - 1, state.P_T1]
+        return ends
+
+    def _gone_at(self) -> Floats:
+        gone = np.full(len(self.balls), np.inf)
+        for row in self.log:
+            if row[state.E_KIND] in _DEPARTURES:
+                gone[int(row[state.E_FIRST])] = row[state.E_TIME]
+        return gone
+
+    def _find(self, times: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Return times (T,), their pieces (T, n, 15) and the time into each piece (T, n)."""
+        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        starts = self._starts()
+        chosen = np.empty((len(at), len(self.balls)), dtype=np.int64)
+        for i in range(len(self.balls)):
+            own = self.pieces[starts[i] : starts[i + 1], state.P_T0]
+            chosen[:, i] = starts[i] + np.maximum(np.searchsorted(own, at, side="right") - 1, 0)
+        rows: Floats = self.pieces[chosen]
+        s = np.clip(at[:, None], rows[..., state.P_T0], rows[..., state.P_T1])
+        return at, rows, s - rows[..., state.P_T0]
+
+    def _event(self, row: Floats) -> Event:
+        kind, time, speed = int(row[state.E_KIND]), float(row[state.E_TIME]), float(row[4])
+        ball, second = self.balls[int(row[state.E_FIRST])].id, int(row[state.E_SECOND])
+        if kind == state.TOUCHING:
+            return happened.BallsCollided(time, ball, self.balls[second].id, speed)
+        if kind == state.DROPPED:
+            return happened.BallPocketed(time, ball, self.pockets[second])
+        if kind == state.LEFT:
+            return happened.BallLeftTable(time, ball)
+        if kind == state.ROLLING:
+            return happened.RollingBegan(time, ball)
+        if kind == state.STOPPED:
+            return happened.BallStopped(time, ball)
+        owner = self.owners[second]
+        if owner.cushion is not None:
+            return happened.CushionHit(time, ball, owner.cushion, speed)
+        if owner.pocket is None:
+            raise AssertionError("a nose belongs to a cushion or a pocket")
+        return happened.JawHit(time, ball, owner.pocket, speed)
+
+
+_DEPARTURES = (float(state.DROPPED), float(state.LEFT))
+
+__all__ = ["Piece", "Trace"]
