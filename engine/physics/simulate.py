@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 EVENT_CAP = 100_000
+STEP = 1.0 / 60.0
+"""Time step (s) of the solvers that have one."""
+
+SOLVERS = ("stepwise", "corrective", "preemptive")
 
 
 class EventStormError(RuntimeError):
@@ -47,12 +51,21 @@ class EventStormError(RuntimeError):
 class Simulation:
     """One shot in progress."""
 
-    def __init__(self, world: World, layout: Layout, ball: BallId, strike: Strike) -> None:
-        """Set the balls and strike one of them; raises ValueError for what cannot be played."""
+    def __init__(
+        self, world: World, layout: Layout, ball: BallId, strike: Strike, *, step: float = STEP
+    ) -> None:
+        """Set the balls and strike one of them; `step` (s) is for the fixed-step solvers.
+
+        Raises ValueError for what cannot be played.
+        """
+        if world.models.solver not in SOLVERS:
+            message = f"unknown solver {world.models.solver!r}; there are: {', '.join(SOLVERS)}"
+            raise ValueError(message)
         if ball not in layout:
             message = f"the ball to strike is not on the table: {ball}"
             raise ValueError(message)
         self._world, self._layout, self._ball, self._strike = world, layout, ball, strike
+        self._step = step
         self._balls = select_balls(world, layout)
         self._rows, self._kinds = pack_balls(world, layout)
         self._numbers = pack_world(world)
@@ -80,23 +93,10 @@ class Simulation:
 
     def advance(self, until: float) -> None:
         """Carry out all events up to `until` (s)."""
-        from engine.physics.stepwise import DONE, FULL, STORM, run  # noqa: PLC0415  numba
+        from engine.physics.stepwise import DONE, FULL, STORM  # noqa: PLC0415  numba
 
         while not self.finished:
-            answer = run(
-                self._rows,
-                self._kinds,
-                self._numbers,
-                self._noses,
-                self._drops,
-                self._pairs,
-                self._foreseen,
-                self._pieces,
-                self._events,
-                self._counts,
-                self._clock,
-                until,
-            )
+            answer = self._run(until)
             if answer == STORM:
                 raise EventStormError(self._layout, self._ball, self._strike)
             if answer == FULL:
@@ -107,6 +107,19 @@ class Simulation:
             if not self.finished:
                 self._clock[1] = max(self._clock[1], until)
                 return
+
+    def _run(self, until: float) -> int:
+        arrays = (self._rows, self._kinds, self._numbers, self._noses, self._drops)
+        record = (self._pieces, self._events, self._counts, self._clock, until)
+        solver = self._world.models.solver
+        if solver == "stepwise":
+            from engine.physics.stepwise import run  # noqa: PLC0415  numba
+
+            return int(run(*arrays, self._pairs, self._foreseen, *record))
+        from engine.physics.fixed import CORRECTIVE, PREEMPTIVE, run_fixed  # noqa: PLC0415  numba
+
+        kind = CORRECTIVE if solver == "corrective" else PREEMPTIVE
+        return int(run_fixed(*arrays, *record, self._step, kind))
 
     def trace(self) -> Trace:
         """Return the shot as far as it has been carried out."""
@@ -140,12 +153,14 @@ class Simulation:
         return np.array(rows).reshape(len(rows), state.PIECE_WIDTH)
 
 
-def simulate(world: World, layout: Layout, ball: BallId, strike: Strike) -> Trace:
-    """Return the whole shot until all is at rest.
+def simulate(
+    world: World, layout: Layout, ball: BallId, strike: Strike, *, step: float = STEP
+) -> Trace:
+    """Return the whole shot until all is at rest; `step` (s) is for the fixed-step solvers.
 
     Raises ValueError for a world, layout or strike that cannot be, EventStormError for a bug.
     """
-    simulation = Simulation(world, layout, ball, strike)
+    simulation = Simulation(world, layout, ball, strike, step=step)
     simulation.advance(inf)
     return simulation.trace()
 

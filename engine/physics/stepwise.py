@@ -142,8 +142,8 @@ def run(
         now = max(now, clock[0])
         clock[0] = now
         if tier == 0:
-            _drop(balls, kinds, world, pieces, counts, who, now)
-            _note(events, counts, DROPPED, now, who, foreseen[who, K_DROP], 0.0)
+            drop(balls, kinds, world, pieces, counts, who, now)
+            note(events, counts, DROPPED, now, who, foreseen[who, K_DROP], 0.0)
             _foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
         elif tier == 1:
             other = int(foreseen[who, K_PAIR])
@@ -154,16 +154,16 @@ def run(
                 _foresee(balls, kinds, noses, pockets, pairs, foreseen, members[p], now, box)
         elif tier == 2:
             nose = int(foreseen[who, K_NOSE])
-            _move(balls, kinds, world, pieces, counts, who, now)
-            ix, iy = _into(balls[who], noses[nose])
+            move(balls, kinds, world, pieces, counts, who, now)
+            ix, iy = into(balls[who], noses[nose])
             speed = bounce(balls[who], world, ix, iy)
-            _note(events, counts, NOSE, now, who, nose, speed)
+            note(events, counts, NOSE, now, who, nose, speed)
             kinds[who] = begin(balls[who], world)
             if kinds[who] == REST:
-                _note(events, counts, STOPPED, now, who, -1.0, 0.0)
+                note(events, counts, STOPPED, now, who, -1.0, 0.0)
             _foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
         else:
-            _change(balls, kinds, world, pieces, events, counts, who)
+            change(balls, kinds, world, pieces, events, counts, who)
             _foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
 
 
@@ -260,7 +260,7 @@ def _earliest_partner(pairs: Floats, foreseen: Floats, i: int) -> None:
 
 
 @njit(cache=True, error_model="numpy")
-def _move(
+def move(
     balls: Floats,
     kinds: Ints,
     world: Floats,
@@ -288,7 +288,7 @@ def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: fl
 
 
 @njit(cache=True, error_model="numpy")
-def _note(
+def note(
     events: Floats, counts: Ints, kind: int, now: float, first: int, second: float, speed: float
 ) -> None:
     row = events[counts[EVENTS]]
@@ -298,7 +298,7 @@ def _note(
 
 
 @njit(cache=True, error_model="numpy")
-def _drop(
+def drop(
     balls: Floats,
     kinds: Ints,
     world: Floats,
@@ -307,7 +307,7 @@ def _drop(
     who: int,
     now: float,
 ) -> None:
-    _move(balls, kinds, world, pieces, counts, who, now)
+    move(balls, kinds, world, pieces, counts, who, now)
     kinds[who] = GONE
     ball = balls[who]
     ball[VX] = ball[VY] = ball[WX] = ball[WY] = ball[WZ] = 0.0
@@ -330,8 +330,8 @@ def _meet(
     now: float,
 ) -> int:
     """Resolve a meeting of two balls, or of a cluster they touch; return how many were moved."""
-    _move(balls, kinds, world, pieces, counts, one, now)
-    _move(balls, kinds, world, pieces, counts, two, now)
+    move(balls, kinds, world, pieces, counts, one, now)
+    move(balls, kinds, world, pieces, counts, two, now)
     members[0], members[1], count = one, two, 2
     speed = closing_speed(balls[one], balls[two])
     if speed >= SOFT and _company(balls, kinds, one, two, now):
@@ -340,12 +340,12 @@ def _meet(
             present[i] = 1 if kinds[i] != GONE else 0
         count = _gather_now(balls, kinds, world, pieces, counts, present, members, one, two, now)
     if count == 2:
-        first, second = _faster_first(balls, one, two)
+        first, second = faster_first(balls, one, two)
         strike_apart(balls[one], balls[two], world)
-        _note(events, counts, TOUCHING, now, first, second, speed)
+        note(events, counts, TOUCHING, now, first, second, speed)
     else:
-        first, second = _faster_first(balls, one, two)
-        _note(events, counts, TOUCHING, now, first, second, speed)
+        first, second = faster_first(balls, one, two)
+        note(events, counts, TOUCHING, now, first, second, speed)
         total = spread(balls, members, count, world, contacts)
         _note_contacts(events, counts, contacts, total, one, two, now)
     for p in range(count):
@@ -353,7 +353,7 @@ def _meet(
         moved = kinds[i] != REST
         kinds[i] = begin(balls[i], world)
         if moved and kinds[i] == REST:
-            _note(events, counts, STOPPED, now, i, -1.0, 0.0)
+            note(events, counts, STOPPED, now, i, -1.0, 0.0)
     return count
 
 
@@ -399,12 +399,12 @@ def _gather_now(
     count = gather(here, present, one, two, members)
     for p in range(count):
         if members[p] not in (one, two):
-            _move(balls, kinds, world, pieces, counts, members[p], now)
+            move(balls, kinds, world, pieces, counts, members[p], now)
     return count
 
 
 @njit(cache=True, error_model="numpy")
-def _faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
+def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
     mine = abs(balls[one, VX] * nx + balls[one, VY] * ny)
     yours = abs(balls[two, VX] * nx + balls[two, VY] * ny)
@@ -423,11 +423,11 @@ def _note_contacts(
                 continue
             a, b = int(row[C_A]), int(row[C_B])
             if (a, b) != (one, two):  # both come lower index first
-                _note(events, counts, TOUCHING, now, a, b, row[C_SPEED])
+                note(events, counts, TOUCHING, now, a, b, row[C_SPEED])
 
 
 @njit(cache=True, error_model="numpy")
-def _into(ball: Floats, nose: Floats) -> tuple[float, float]:
+def into(ball: Floats, nose: Floats) -> tuple[float, float]:
     """Return the unit vector from the ball into the nose it touches."""
     if nose[N_CURVED] == 0.0:
         return nose[N_DY], -nose[N_DX]
@@ -438,7 +438,7 @@ def _into(ball: Floats, nose: Floats) -> tuple[float, float]:
 
 
 @njit(cache=True, error_model="numpy")
-def _change(
+def change(
     balls: Floats,
     kinds: Ints,
     world: Floats,
@@ -453,12 +453,12 @@ def _change(
     close(ball, before, pieces, counts, who, end)
     kinds[who] = finish(ball, world, before)
     if abs(ball[X]) > world[G_OUT_X] or abs(ball[Y]) > world[G_OUT_Y]:
-        _drop(balls, kinds, world, pieces, counts, who, end)
-        _note(events, counts, LEFT, end, who, -1.0, 0.0)
+        drop(balls, kinds, world, pieces, counts, who, end)
+        note(events, counts, LEFT, end, who, -1.0, 0.0)
     elif kinds[who] == ROLL:
-        _note(events, counts, ROLLING, end, who, -1.0, 0.0)
+        note(events, counts, ROLLING, end, who, -1.0, 0.0)
     elif kinds[who] == REST:
-        _note(events, counts, STOPPED, end, who, -1.0, 0.0)
+        note(events, counts, STOPPED, end, who, -1.0, 0.0)
 
 
 __all__ = [
@@ -471,6 +471,12 @@ __all__ = [
     "PIECES",
     "STARTED",
     "STORM",
+    "change",
     "close",
+    "drop",
+    "faster_first",
+    "into",
+    "move",
+    "note",
     "run",
 ]

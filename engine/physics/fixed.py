@@ -1,0 +1,375 @@
+"""The solvers `corrective` and `preemptive` of the 2012 report: fixed time steps, for comparison.
+
+One idea: both ask only once per step what touches what. `corrective` moves all balls and then
+pushes overlaps apart; `preemptive` moves one ball after the other, each up to the first thing in
+its way, the others standing where they are. Motion between contacts is as exact as elsewhere, so
+a difference from `stepwise` is the solver's own. Invariant: steps fall on multiples of `step`,
+so chunks of time change no bit; but balls may tunnel, jump, and depend on their order.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numba import njit
+
+from engine.physics.collide import closing_speed, strike_apart
+from engine.physics.motion import begin
+from engine.physics.predict import NEVER, closes, nose_time, swept_box
+from engine.physics.rebound import bounce
+from engine.physics.state import (
+    AX,
+    AY,
+    DROPPED,
+    END,
+    FAST,
+    GONE,
+    N_CURVED,
+    N_DX,
+    N_DY,
+    N_SIZE,
+    N_SPAN,
+    N_X,
+    N_Y,
+    NOSE,
+    RADIUS,
+    REACH,
+    REST,
+    ROLL,
+    SLIDE,
+    STOPPED,
+    T0,
+    TOUCHING,
+    VX,
+    VY,
+    X,
+    Y,
+)
+from engine.physics.stepwise import (
+    CAP,
+    DONE,
+    EVENTS,
+    FULL,
+    PAUSED,
+    PIECES,
+    STARTED,
+    STORM,
+    change,
+    drop,
+    faster_first,
+    into,
+    move,
+    note,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
+
+CORRECTIVE, PREEMPTIVE = range(2)
+HITS = 8
+"""How often one ball may hit something within one step."""
+
+
+@njit(cache=True, error_model="numpy")
+def run_fixed(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pockets: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    clock: Floats,
+    until: float,
+    step: float,
+    solver: int,
+) -> int:
+    """Carry out all steps up to `until` (s); return DONE, PAUSED, FULL or STORM."""
+    n = balls.shape[0]
+    spare = 4 * HITS * (n * n + n + 8)
+    if counts[STARTED] == 0:
+        counts[STARTED] = 1
+        for i in range(n):
+            kinds[i] = begin(balls[i], world)
+    while True:
+        if counts[PIECES] + spare > pieces.shape[0] or counts[EVENTS] + spare > events.shape[0]:
+            return FULL
+        if counts[EVENTS] > counts[CAP]:
+            return STORM
+        idle = True
+        for i in range(n):
+            idle = idle and kinds[i] in (REST, GONE)
+        if idle:
+            return DONE
+        following = (counts[STARTED]) * step
+        if following > until:
+            return PAUSED
+        now = (counts[STARTED] - 1) * step
+        counts[STARTED] += 1
+        if solver == CORRECTIVE:
+            _correct(balls, kinds, world, noses, pieces, events, counts, following)
+        else:
+            _preempt(balls, kinds, world, noses, pieces, events, counts, now, following)
+        _catch(balls, kinds, world, pockets, pieces, events, counts, following)
+        clock[0] = following
+
+
+@njit(cache=True, error_model="numpy")
+def _age(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    i: int,
+    now: float,
+) -> None:
+    """Let the ball's pieces end by themselves up to `now`."""
+    while kinds[i] != GONE and balls[i, END] <= now:
+        change(balls, kinds, world, pieces, events, counts, i)
+
+
+@njit(cache=True, error_model="numpy")
+def _restart(
+    balls: Floats, kinds: Ints, world: Floats, events: Floats, counts: Ints, i: int, now: float
+) -> None:
+    before = kinds[i]
+    kinds[i] = begin(balls[i], world)
+    if kinds[i] == REST and before != REST:
+        note(events, counts, STOPPED, now, i, -1.0, 0.0)
+
+
+@njit(cache=True, error_model="numpy")
+def _at(ball: Floats, now: float) -> tuple[float, float]:
+    s = now - ball[T0]
+    x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
+    return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
+
+
+@njit(cache=True, error_model="numpy")
+def _correct(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    now: float,
+) -> None:
+    """Move all, then push apart what overlaps."""
+    n = balls.shape[0]
+    for i in range(n):
+        _age(balls, kinds, world, pieces, events, counts, i, now)
+    for i in range(n):
+        for j in range(i + 1, n):
+            if kinds[i] != GONE and kinds[j] != GONE:
+                _part(balls, kinds, world, pieces, events, counts, i, j, now)
+    for i in range(n):
+        if kinds[i] in (ROLL, SLIDE, FAST):
+            for k in range(noses.shape[0]):
+                _push_out(balls, kinds, world, noses, pieces, events, counts, i, k, now)
+
+
+@njit(cache=True, error_model="numpy")
+def _part(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    i: int,
+    j: int,
+    now: float,
+) -> None:
+    x, y = _at(balls[i], now)
+    u, v = _at(balls[j], now)
+    dx, dy = u - x, v - y
+    apart = sqrt(dx * dx + dy * dy)
+    need = 2.0 * sqrt(balls[i, RADIUS] * balls[j, RADIUS])
+    if apart >= need or apart == 0.0:
+        return
+    move(balls, kinds, world, pieces, counts, i, now)
+    move(balls, kinds, world, pieces, counts, j, now)
+    push = 0.5 * (need - apart) / apart
+    balls[i, X] -= push * dx
+    balls[i, Y] -= push * dy
+    balls[j, X] += push * dx
+    balls[j, Y] += push * dy
+    speed = closing_speed(balls[i], balls[j])
+    if speed > 0.0:
+        first, second = faster_first(balls, i, j)
+        strike_apart(balls[i], balls[j], world)
+        note(events, counts, TOUCHING, now, first, second, speed)
+    _restart(balls, kinds, world, events, counts, i, now)
+    _restart(balls, kinds, world, events, counts, j, now)
+
+
+@njit(cache=True, error_model="numpy")
+def _depth(ball: Floats, nose: Floats, x: float, y: float) -> float:
+    """Return how deep (m) a ball at (x, y) lies in a nose; at most zero where it does not."""
+    dx, dy = x - nose[N_X], y - nose[N_Y]
+    if nose[N_CURVED] == 0.0:
+        at = dx * nose[N_DX] + dy * nose[N_DY]
+        depth = ball[REACH] - (dy * nose[N_DX] - dx * nose[N_DY])
+        return depth if 0.0 <= at <= nose[N_SIZE] and depth < 4.0 * ball[RADIUS] else 0.0
+    reach = sqrt(dx * dx + dy * dy)
+    if dx * nose[N_DX] + dy * nose[N_DY] < reach * nose[N_SPAN]:
+        return 0.0
+    if nose[N_SIZE] < 0.0:
+        return reach - (-nose[N_SIZE] - ball[REACH])
+    return nose[N_SIZE] + ball[REACH] - reach
+
+
+@njit(cache=True, error_model="numpy")
+def _push_out(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    i: int,
+    k: int,
+    now: float,
+) -> None:
+    x, y = _at(balls[i], now)
+    depth = _depth(balls[i], noses[k], x, y)
+    if depth <= 0.0:
+        return
+    move(balls, kinds, world, pieces, counts, i, now)
+    ix, iy = into(balls[i], noses[k])
+    balls[i, X] -= depth * ix
+    balls[i, Y] -= depth * iy
+    if balls[i, VX] * ix + balls[i, VY] * iy > 0.0:
+        speed = bounce(balls[i], world, ix, iy)
+        note(events, counts, NOSE, now, i, k, speed)
+    _restart(balls, kinds, world, events, counts, i, now)
+
+
+@njit(cache=True, error_model="numpy")
+def _preempt(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    now: float,
+    following: float,
+) -> None:
+    """Move one ball after the other, each up to what stands in its way."""
+    n = balls.shape[0]
+    at = np.full(n, now)
+    for i in range(n):
+        for _ in range(HITS):
+            if kinds[i] == GONE or at[i] >= following:
+                break
+            last = min(following, balls[i, END])
+            if kinds[i] in (ROLL, SLIDE, FAST):
+                t, other, nose = _first_hit(balls, kinds, noses, at, i, last)
+                if t <= last:
+                    _hit(balls, kinds, world, noses, pieces, events, counts, at, i, t, other, nose)
+                    continue
+            at[i] = last
+            _age(balls, kinds, world, pieces, events, counts, i, last)
+        _age(balls, kinds, world, pieces, events, counts, i, following)
+
+
+@njit(cache=True, error_model="numpy")
+def _first_hit(
+    balls: Floats, kinds: Ints, noses: Floats, at: Floats, i: int, last: float
+) -> tuple[float, int, int]:
+    """Return when ball `i` first meets a ball that stands as it is, or a nose, and which."""
+    ball = balls[i].copy()
+    s = at[i] - ball[T0]
+    ball[X], ball[Y] = _at(balls[i], at[i])
+    ball[VX] += s * ball[AX]
+    ball[VY] += s * ball[AY]
+    ball[T0], ball[END] = at[i], last
+    best, other, nose = NEVER, -1, -1
+    for j in range(balls.shape[0]):
+        if j == i or kinds[j] == GONE:
+            continue
+        x, y = _at(balls[j], at[j])
+        need = 2.0 * sqrt(ball[RADIUS] * balls[j, RADIUS])
+        ax, ay = -0.5 * ball[AX], -0.5 * ball[AY]
+        t = at[i] + closes(
+            x - ball[X], y - ball[Y], -ball[VX], -ball[VY], ax, ay, need, last - at[i]
+        )
+        if t < best:
+            best, other = t, j
+    box = np.empty(4)
+    swept_box(ball, box)
+    for k in range(noses.shape[0]):
+        t = nose_time(ball, noses[k], box)
+        if t < best:
+            best, other, nose = t, -1, k
+    return best, other, nose
+
+
+@njit(cache=True, error_model="numpy")
+def _hit(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    at: Floats,
+    i: int,
+    t: float,
+    other: int,
+    nose: int,
+) -> None:
+    move(balls, kinds, world, pieces, counts, i, t)
+    at[i] = t
+    if other < 0:
+        ix, iy = into(balls[i], noses[nose])
+        note(events, counts, NOSE, t, i, nose, bounce(balls[i], world, ix, iy))
+    else:
+        move(balls, kinds, world, pieces, counts, other, at[other])
+        speed = closing_speed(balls[i], balls[other])
+        if speed > 0.0:
+            first, second = faster_first(balls, i, other)
+            strike_apart(balls[i], balls[other], world)
+            note(events, counts, TOUCHING, t, first, second, speed)
+        _restart(balls, kinds, world, events, counts, other, at[other])
+    _restart(balls, kinds, world, events, counts, i, t)
+
+
+@njit(cache=True, error_model="numpy")
+def _catch(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pockets: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    now: float,
+) -> None:
+    """Drop the balls that are over a pocket at the end of the step."""
+    for i in range(balls.shape[0]):
+        if kinds[i] == GONE:
+            continue
+        x, y = _at(balls[i], now)
+        for k in range(pockets.shape[0]):
+            dx, dy, size = x - pockets[k, 0], y - pockets[k, 1], pockets[k, 2]
+            if kinds[i] != GONE and dx * dx + dy * dy <= size * size:
+                drop(balls, kinds, world, pieces, counts, i, now)
+                note(events, counts, DROPPED, now, i, k, 0.0)
+
+
+__all__ = ["CORRECTIVE", "PREEMPTIVE", "run_fixed"]
