@@ -1,0 +1,1 @@
+"""Variant files: TOML becomes frozen, checked values here and nowhere else."""

@@ -11,7 +11,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.physics.world import MODEL_NAMES, Cloth, Contact, Cue, Models, Rubber, World
-from engine.table.build import CUSHIONS, PLAIN, POCKETS
 from engine.table.furniture import BallId
 from engine.variant.ballset import (
     ball_kinds,
@@ -24,7 +23,6 @@ from engine.variant.furnish import Surveyor, furnish
 from engine.variant.rack import build_rack, check_own_spots
 from engine.variant.report import nearest
 from engine.variant.variant import Look, Setting
-from rulelang.vocabulary import BallName, Vocabulary
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -71,23 +69,6 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     world = World(table, physical, _cloth(spec), _contact(spec), _rubber(spec), _cue(spec), models)
     look = Look(spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour)
     return Draft(spec, world, kinds, cue_balls, rack, players, settings, look)
-
-
-def vocabulary_of(spec: VariantSpec, balls: Sequence[BallKind]) -> Vocabulary:
-    """Return every name that a script of this variant may use."""
-    pocketed = spec.table.pockets is not None
-    settings = {name: setting.default for name, setting in spec.settings.items()}
-    return Vocabulary(
-        balls=tuple(BallName(ball.id, ball.value, ball.groups, ball.spot) for ball in balls),
-        cue_balls=tuple(spec.cue_balls),
-        pockets=POCKETS if pocketed else (),
-        cushions=CUSHIONS if pocketed else PLAIN,
-        lines=tuple(spec.table.lines),
-        zones=tuple(spec.table.zones),
-        spots=tuple(spec.table.spots),
-        settings=MappingProxyType(settings),
-        players=(spec.players.fewest, spec.players.most),
-    )
 
 
 def _check_names(spec: VariantSpec, balls: Mapping[str, BallShape], report: Report) -> None:

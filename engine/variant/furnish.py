@@ -93,26 +93,23 @@ class Surveyor:
         )
 
     def spots(self) -> dict[SpotId, Point]:
-        """Return all spots that could be placed."""
+        """Return all spots; one that cannot be placed is reported and stands in the middle."""
         found = {}
         for name in self.spec.spots:
             path: KeyPath = ("table", "spots", name)
             point = self.spot(name, path)
-            if point is None:
-                continue
-            if not self.on_bed(point):
+            if point is not None and not self.on_bed(point):
                 half = f"x within {self.spec.length / 2:g} m, y within {self.spec.width / 2:g} m"
                 self.report.add("V401", path, f"spot `{name}` is not on the bed", half)
-            found[SpotId(name)] = point
+            found[SpotId(name)] = point or (0.0, 0.0)
         return found
 
     def lines(self) -> dict[LineId, Line]:
-        """Return all lines that could be drawn."""
+        """Return all lines; one that cannot be drawn is reported, and only its name is right."""
         found = {}
         for name, shape in self.spec.lines.items():
             line = self.line(shape, ("table", "lines", name))
-            if line is not None:
-                found[LineId(name)] = line
+            found[LineId(name)] = line or Line((0.0, 0.0), (0.0, 1.0))
         return found
 
     def line(self, shape: LineShape, path: KeyPath) -> Line | None:
@@ -140,16 +137,14 @@ class Surveyor:
         return Line(start, end)
 
     def zones(self, lines: Mapping[LineId, Line]) -> dict[ZoneId, Zone]:
-        """Return all zones that could be drawn."""
+        """Return all zones; one that cannot be drawn is reported, and only its name is right."""
         found: dict[ZoneId, Zone] = {}
         for name, shape in self.spec.zones.items():
             path: KeyPath = ("table", "zones", name)
             zone = self.zone(shape, path, lines)
-            if zone is None:
-                continue
             if isinstance(zone, Area) and zone.parts and not self.holds_a_place(zone):
                 self.report.add("V408", path, f"zone `{name}` holds no place on the bed")
-            found[ZoneId(name)] = zone
+            found[ZoneId(name)] = zone or Area()
         return found
 
     def zone(self, shape: ZoneShape, path: KeyPath, lines: Mapping[LineId, Line]) -> Zone | None:
@@ -255,14 +250,19 @@ def furnish(surveyor: Surveyor) -> Table | None:
     spec, report = surveyor.spec, surveyor.report
     spots, lines = surveyor.spots(), surveyor.lines()
     zones = surveyor.zones(lines)
+    pockets: KeyPath = ("table", "pockets")
+    corner = side = None
+    if spec.pockets is not None:
+        corner = _cut(spec.pockets.corner, (*pockets, "corner"), report)
+        side = _cut(spec.pockets.side, (*pockets, "side"), report)
+        if corner is None or side is None:
+            return None
     try:
-        corner = _cut(spec.pockets.corner) if spec.pockets else None
-        side = _cut(spec.pockets.side) if spec.pockets else None
         table = build_table(
             spec.length, spec.width, spec.nose_height, corner, side, spec.rail_width
         )
     except ValueError as error:
-        report.add("V405", ("table", "pockets"), str(error), on_key=True)
+        report.add("V405", pockets, str(error), on_key=True)
         return None
     return replace(
         table,
@@ -272,5 +272,9 @@ def furnish(surveyor: Surveyor) -> Table | None:
     )
 
 
-def _cut(shape: PocketShape) -> PocketCut:
-    return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)
+def _cut(shape: PocketShape, path: KeyPath, report: Report) -> PocketCut | None:
+    try:
+        return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)
+    except ValueError as error:
+        report.add("V405", path, str(error), on_key=True)
+        return None

@@ -13,7 +13,7 @@ from types import MappingProxyType
 
 import engine
 from engine.variant.report import nearest
-from engine.variant.source import Node, merge, read_source
+from engine.variant.source import Node, merge, read_source, read_text
 from rulelang.diagnostics import Diagnostic, render
 
 PARTS = MappingProxyType({"table": "tables", "balls": "balls", "cloth": "cloths"})
@@ -79,6 +79,30 @@ def open_variant(path: Path) -> Opened:
     return Opened(node, joiner.diagnostics, frozenset(joiner.broken))
 
 
+def find_script(stem: str, home: Path) -> Path | None:
+    """Return the rule script of that stem, in `home` or among the shipped ones."""
+    for folder in (home, shipped_folder()):
+        path = folder / f"{stem}.rules"
+        if path.is_file():
+            return path
+    return None
+
+
+def read_library(name: str, home: Path) -> tuple[str, str] | None:
+    """Return text and file name of the script that another `uses` by name, or None.
+
+    Shared rules lie in `rules/`; another game's whole script lies beside its variant.
+    """
+    if not _STEM.fullmatch(name):
+        return None
+    for folder in (home / "rules", home, shipped_folder() / "rules", shipped_folder()):
+        path = folder / f"{name}.rules"
+        if path.is_file():
+            text = read_text(path)
+            return (text, str(path)) if isinstance(text, str) else None
+    return None
+
+
 class _Joiner:
     """Joins files; collects what is wrong on the way."""
 
@@ -103,7 +127,10 @@ class _Joiner:
             return rest
         place = self.follow(base, "", (*chain, path.resolve()))
         parent = self.variant(place, (*chain, path.resolve())) if place else None
-        return _lay_over(parent, rest) if parent is not None else None
+        if place is None or parent is None:
+            return None
+        joined = _lay_over(parent, rest)
+        return joined if "rules" in rest.table else _with_script(joined, path, place)
 
     def follow(self, said: Node, folder: str, chain: tuple[Path, ...]) -> Path | None:
         """Return the file that `said` names; None, and a mistake, where there is none."""
@@ -115,17 +142,16 @@ class _Joiner:
             self.diagnostics.append(said.diagnostic("V103", (), message, mend))
             return None
         folders = [said.source.home / folder, shipped_folder() / folder]
-        for place in folders:
-            path = place / f"{name}.toml"
-            if not path.is_file():
-                continue
-            if path.resolve() in chain or len(chain) > _LONGEST_CHAIN:
-                if path.resolve() == chain[-1] and place != folders[-1]:
-                    continue
-                message = f"`{name}` leads back to this file"
-                self.diagnostics.append(said.diagnostic("V202", (), message, "break the circle"))
-                return None
-            return path
+        paths = [place / f"{name}.toml" for place in folders]
+        paths = [path for path in paths if path.is_file()]
+        if paths and chain and paths[0].resolve() == chain[-1]:
+            paths = [path for path in paths if path.resolve() != chain[-1]] or paths
+        if paths and (paths[0].resolve() in chain or len(chain) > _LONGEST_CHAIN):
+            message = f"`{name}` leads back to this file"
+            self.diagnostics.append(said.diagnostic("V202", (), message, "break the circle"))
+            return None
+        if paths:
+            return paths[0]
         known = sorted({one.stem for place in folders for one in place.glob("*.toml")})
         message = f"there is no {what} called `{name}`"
         self.diagnostics.append(said.diagnostic(code, (), message, nearest(name, known)))
@@ -159,6 +185,15 @@ def _without(node: Node, key: str) -> Node:
         return node
     table = {name: child for name, child in node.table.items() if name != key}
     return Node(table, node.source, node.path)
+
+
+def _with_script(node: Node, path: Path, parent: Path) -> Node:
+    """Return a variant with its own script where it has one, else with its parent's."""
+    own = _without(node, "rules")
+    if path.with_suffix(".rules").is_file():
+        return own
+    inherited = node.table.get("rules", Node(parent.stem, node.source, ("extends",)))
+    return Node({**own.table, "rules": inherited}, node.source, node.path)
 
 
 def _as_table(node: Node) -> Node:

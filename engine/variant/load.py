@@ -6,20 +6,96 @@ raises them all at once. Importing this module reads nothing and starts nothing.
 
 from __future__ import annotations
 
+import tomllib
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
 from engine.variant.assemble import Draft, assemble
-from engine.variant.library import open_variant, resolve
+from engine.variant.library import (
+    VariantError,
+    find_script,
+    open_variant,
+    read_library,
+    resolve,
+    shipped_folder,
+)
 from engine.variant.report import Report
-from engine.variant.source import Node
+from engine.variant.source import read_text
 from engine.variant.spec import VariantSpec
+from engine.variant.variant import Variant
+from engine.variant.words import vocabulary_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from rulelang.program import Program
+
+    from engine.variant.locate import KeyPath
+    from engine.variant.source import Node
     from rulelang.diagnostics import Diagnostic
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A shipped variant by name, and the title that its file gives it."""
+
+    name: str
+    title: str
+    path: Path
+
+
+@dataclass(slots=True)
+class _Reading:
+    """What has been made of one variant so far, and every mistake on the way."""
+
+    path: Path
+    diagnostics: list[Diagnostic]
+    report: Report | None = None
+    spec: VariantSpec | None = None
+    draft: Draft | None = None
+    script: Path | None = None
+    program: Program | None = None
+
+
+def load_variant(name_or_path: str | Path) -> Variant:
+    """Return a variant by stem or path, checked whole, script included.
+
+    Raises VariantError, which carries every diagnostic.
+    """
+    reading = _read(resolve(name_or_path), with_script=True)
+    draft, script, program = reading.draft, reading.script, reading.program
+    wrong = [one for one in reading.diagnostics if one.severity == "error"]
+    if wrong or draft is None or script is None or program is None:
+        raise VariantError(reading.diagnostics)
+    return Variant(
+        name=reading.path.stem,
+        title=draft.spec.title,
+        rulebook=draft.spec.rulebook,
+        path=reading.path,
+        script_path=script,
+        world=draft.world,
+        balls=draft.balls,
+        cue_balls=draft.cue_balls,
+        rack=draft.rack,
+        players=draft.players,
+        settings=draft.settings,
+        look=draft.look,
+        program=program,
+    )
+
+
+def check_variant(name_or_path: str | Path) -> list[Diagnostic]:
+    """Return every mistake of a variant, in its files and in its script; none raises.
+
+    The script is checked as soon as the files are good enough to tell the names it may use.
+    """
+    try:
+        path = resolve(name_or_path)
+    except VariantError as error:
+        return list(error.diagnostics)
+    return _read(path, with_script=True).diagnostics
 
 
 def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]]:
@@ -27,18 +103,95 @@ def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]
 
     Raises VariantError where the variant cannot be found at all.
     """
-    draft, _, diagnostics = _read(resolve(name_or_path))
-    return draft, diagnostics
+    reading = _read(resolve(name_or_path), with_script=False)
+    return reading.draft, reading.diagnostics
 
 
-def _read(path: Path) -> tuple[Draft | None, Node | None, list[Diagnostic]]:
-    opened = open_variant(path)
-    if opened.node is None:
-        return None, None, opened.diagnostics
-    report = Report(opened.node, opened.diagnostics)
+def list_variants() -> list[Listing]:
+    """Return the shipped variants by name; a file that cannot be read is listed untitled."""
+    return [
+        Listing(path.stem, _title(path), path) for path in sorted(shipped_folder().glob("*.toml"))
+    ]
+
+
+def _title(path: Path) -> str:
+    text = read_text(path)
+    if not isinstance(text, str):
+        return ""
     try:
-        spec = VariantSpec.model_validate(opened.node.plain())
+        title = tomllib.loads(text).get("title", "")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return ""
+    return title if isinstance(title, str) else ""
+
+
+def _read(path: Path, *, with_script: bool) -> _Reading:
+    opened = open_variant(path)
+    reading = _Reading(path, opened.diagnostics)
+    if opened.node is None:
+        return reading
+    reading.report = Report(opened.node, opened.diagnostics)
+    try:
+        reading.spec = VariantSpec.model_validate(opened.node.plain())
     except ValidationError as error:
-        report.add_shape_errors(error, opened.broken)
-        return None, opened.node, report.diagnostics
-    return assemble(spec, report), opened.node, report.diagnostics
+        reading.report.add_shape_errors(error, opened.broken)
+        _check_the_rest(opened.node, error, reading.report)
+        return reading
+    reading.draft = assemble(reading.spec, reading.report)
+    if with_script and reading.draft is not None:
+        _read_script(reading, reading.draft, reading.report)
+    return reading
+
+
+def _prune(plain: object, path: KeyPath) -> None:
+    """Take what lies at `path` out of a plain tree; an array is taken out whole."""
+    for index, key in enumerate(path):
+        if not isinstance(plain, dict) or key not in plain:
+            return
+        if index == len(path) - 1 or not isinstance(plain[key], dict):
+            del plain[key]
+            return
+        plain = plain[key]
+
+
+_KNOCK_ON = {"V301", "V302", "V303", "V306", "V406", "V407", "V503"}
+"""Mistakes of meaning that may come only from leaving out what has the wrong shape."""
+
+
+def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
+    """Add the mistakes of meaning in what is left without the values that have no right shape."""
+    plain = node.plain()
+    for one in error.errors(include_url=False):
+        path = tuple(key for key in one["loc"] if key != "[key]")
+        _prune(plain, path)
+    try:
+        spec = VariantSpec.model_validate(plain)
+    except ValidationError:
+        return
+    second = Report(node)
+    assemble(spec, second)
+    report.diagnostics += [one for one in second.diagnostics if one.code not in _KNOCK_ON]
+
+
+def _read_script(reading: _Reading, draft: Draft, report: Report) -> None:
+    from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
+
+    stem = draft.spec.rules or reading.path.stem
+    reading.script = find_script(stem, reading.path.parent)
+    if reading.script is None:
+        mend = f'write {stem}.rules beside this file, or name another with rules = "..."'
+        report.add("V204", ("rules",), f"there is no rule script `{stem}.rules`", mend)
+        return
+    text = read_text(reading.script)
+    if not isinstance(text, str):
+        reading.diagnostics += text
+        return
+    vocabulary = vocabulary_of(draft)
+    home = reading.path.parent
+    made = compile_script(
+        text, str(reading.script), vocabulary, lambda name: read_library(name, home)
+    )
+    if isinstance(made, list):
+        reading.diagnostics += made
+    else:
+        reading.program = made

@@ -96,6 +96,7 @@ class _Racker:
 
     def pattern(self, pattern: Pattern) -> None:
         path: KeyPath = ("rack", "pattern")
+        found = len(self.report.diagnostics)
         apex = self.surveyor.point(pattern.apex, (*path, "apex"))
         taken = pick(pattern.balls, self.balls, (*path, "balls"), self.report)
         radius = max((self.radius[BallId(name)] for name in taken), default=0.0)
@@ -103,8 +104,9 @@ class _Racker:
             return
         cells = self.cells(pattern, apex, radius, path)
         self.lots(pattern, cells, path)
-        free = [point for word, point, _ in cells if word == _ANY]
-        self.rest(pattern, free, taken, path)
+        if len(self.report.diagnostics) == found:
+            free = [point for word, point, _ in cells if word == _ANY]
+            self.rest(pattern, free, taken, path)
 
     def cells(
         self, pattern: Pattern, apex: Point, radius: float, path: KeyPath

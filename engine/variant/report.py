@@ -26,18 +26,29 @@ if TYPE_CHECKING:
     from rulelang.diagnostics import Diagnostic
 
 
+MOST_TOLD = 100
+"""Nobody mends more at a time; what comes after is told on the next check."""
+
+
 @dataclass(slots=True)
 class Report:
-    """The mistakes found so far in the tree below `root`."""
+    """The mistakes found so far in the tree below `root`; the same is never told twice."""
 
     root: Node
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    shape: type[BaseModel] = VariantSpec
 
     def add(
         self, code: str, path: KeyPath, message: str, mend: str = "", *, on_key: bool = False
     ) -> None:
         """Add a mistake at `path`, which may lead deeper than the tree does."""
-        self.diagnostics.append(self.root.diagnostic(code, path, message, mend, on_key=on_key))
+        if len(self.diagnostics) >= MOST_TOLD:
+            return
+        one = self.root.diagnostic(code, path, message, mend, on_key=on_key)
+        same = (one.code, one.file, one.line, one.column, one.message)
+        told = ((o.code, o.file, o.line, o.column, o.message) for o in self.diagnostics)
+        if same not in told:
+            self.diagnostics.append(one)
 
     def unknown(self, code: str, path: KeyPath, what: str, name: str, known: Iterable[str]) -> None:
         """Add "there is no `what` called `name`" with the nearest of the known names."""
@@ -57,7 +68,7 @@ class Report:
             on_key = one["loc"][-1] == "[key]"
             self.add(kind, path, context["what"], context["mend"], on_key=on_key)
         elif kind == "extra_forbidden":
-            known = _known_keys(path[:-1])
+            known = _known_keys(self.shape, path[:-1])
             message = f"`{path[-1]}` is not known here"
             self.add("V101", path, message, nearest(str(path[-1]), known), on_key=True)
         elif kind == "missing":
@@ -110,16 +121,17 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f"known: {shown}"
 
 
-def _known_keys(path: KeyPath) -> list[str]:
+def _known_keys(shape: type[BaseModel], path: KeyPath) -> list[str]:
     """Return the keys that the model at `path` below the whole file knows."""
-    model: Any = VariantSpec
+    model: Any = shape
     for key in path:
         model = _model_in(model)
         if model is not None and issubclass(model, BaseModel) and key in model.model_fields:
             model = model.model_fields[str(key)].annotation
     model = _model_in(model)
-    extra = ["use"] if path in {("table",), ("balls",), ("cloth",)} else []
-    extra += ["extends"] if not path else []
+    variant = shape is VariantSpec
+    extra = ["use"] if variant and path in {("table",), ("balls",), ("cloth",)} else []
+    extra += ["extends"] if variant and not path else []
     return [*model.model_fields, *extra] if model is not None else extra
 
 

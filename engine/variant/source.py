@@ -138,8 +138,8 @@ def merge(base: Node, top: Node) -> Node:
     return Node(table, top.source, top.path)
 
 
-def read_source(path: Path, home: Path) -> Node | list[Diagnostic]:
-    """Read one TOML file; return its tree, or what is wrong with it as a whole."""
+def read_text(path: Path) -> str | list[Diagnostic]:
+    """Return the text of a file, or why there is none; a file too large is not opened."""
     try:
         if path.stat().st_size > LARGEST_FILE:
             message = f"the file is larger than {LARGEST_FILE // 1024} KiB"
@@ -148,18 +148,23 @@ def read_source(path: Path, home: Path) -> Node | list[Diagnostic]:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "cannot be read"
         return [Diagnostic("V001", str(path), 1, 1, f"cannot read the file: {reason}")]
-    return parse_source(raw, path, home)
-
-
-def parse_source(raw: bytes, path: Path, home: Path) -> Node | list[Diagnostic]:
-    """Return the tree of a file's bytes, or what is wrong with them."""
     try:
-        text = raw.decode("utf-8-sig").replace("\r\n", "\n")
+        return raw.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         column = error.start - (raw.rfind(b"\n", 0, error.start) + 1) + 1
         mend = "save the file in the encoding UTF-8"
         return [Diagnostic("V002", str(path), line, column, "this byte is not UTF-8", mend)]
+
+
+def read_source(path: Path, home: Path) -> Node | list[Diagnostic]:
+    """Read one TOML file; return its tree, or what is wrong with it as a whole."""
+    text = read_text(path)
+    return parse_source(text, path, home) if isinstance(text, str) else text
+
+
+def parse_source(text: str, path: Path, home: Path) -> Node | list[Diagnostic]:
+    """Return the tree of a TOML text, or what is wrong with it as a whole."""
     blank = Source(path, home, text, {})
     for number, line_text in enumerate(text.split("\n"), 1):
         if len(line_text) > LONGEST_LINE:
@@ -206,6 +211,7 @@ _MENDS = (
     ("Invalid value", "a text stands in quotes; true and false are written small"),
     ("Illegal character", "a text on one line ends with the quote it began with"),
     ("Unclosed array", "close the array with `]`"),
+    ("the text that begins", "a text on one line ends with the quote it began with"),
     ("Expected ']'", "close the heading with `]`"),
     ("Unterminated string", "close the text with a quote"),
     ("Expected newline", "one statement on a line; join texts with a comma in an array"),
@@ -222,6 +228,11 @@ def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
     if message.startswith(_TWICE):
         line = _step_back(source.text, line, column)
         return diagnostic_at("V005", source, line, 1, message, "keep one of the two")
+    if message == 'Expected "\'"':
+        lines = enumerate(source.text.split("\n"), 1)
+        odd = [(number, text) for number, text in lines if text.count("'") % 2]
+        line, column = (odd[-1][0], odd[-1][1].rfind("'") + 1) if odd else (line, column)
+        message = "the text that begins here has no closing quote"
     mend = next((mend for start, mend in _MENDS if message.startswith(start)), "")
     return diagnostic_at("V004", source, line, column, message, mend)
 

@@ -6,9 +6,9 @@ from math import hypot, sqrt
 
 import pytest
 
-from engine.variant.assemble import vocabulary_of
 from engine.variant.load import read_draft
 from engine.variant.rack import lay_rack
+from engine.variant.words import vocabulary_of
 from rulelang.diagnostics import render
 
 SIX = {"head-left", "head-right", "side-left", "side-right", "foot-left", "foot-right"}
@@ -79,7 +79,7 @@ def draft_of(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_names_are_those_of_the_records(name):
     draft = draft_of(name)
-    vocabulary = vocabulary_of(draft.spec, draft.balls)
+    vocabulary = vocabulary_of(draft)
     for kind, names in NAMES[name].items():
         said = getattr(vocabulary, kind)
         found = {ball.name for ball in said} if kind == "balls" else set(said)
