@@ -1,0 +1,1 @@
+"""The engine: balls, tables, events and pictures, and no game."""

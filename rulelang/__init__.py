@@ -1,0 +1,1 @@
+"""The rule language: scripts that read like a rulebook become decisions."""

@@ -1,0 +1,1 @@
+"""The game between shots: situations, shots, the referee; values in, values out."""

@@ -1,0 +1,1 @@
+"""Recorded shots: read, judged, compared, written."""

@@ -1,0 +1,1 @@
+"""Renderers that turn a scene into pixels: wireframe, painter's, scanline z-buffer."""

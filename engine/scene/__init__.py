@@ -1,0 +1,1 @@
+"""A scene graph without a word of billiards: objects, shapes, lights, camera."""

@@ -1,0 +1,1 @@
+"""What a game looks like: table, balls and cue become a scene."""

@@ -1,0 +1,246 @@
+"""The command line: parse arguments, call one function, print.
+
+One idea: every command imports what it needs when it runs, so that `--help` answers at once and
+commands that move no ball never load the physics.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from engine.variant.variant import Value, Variant
+    from rulelang.diagnostics import Diagnostic
+
+RENDERERS = ("wireframe", "painter", "scanline")
+CAMERAS = ("cue", "above", "orbit")
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="headstring")
+def main() -> None:
+    """Headstring: every cue sport is two text files, a table in TOML and a script of rules.
+
+    A game is named by its stem (snooker) or by the path of its TOML file.
+    """
+
+
+@main.command()
+@click.argument("variant", required=False)
+@click.option("--players", type=int, help="How many play; the game's usual number by default.")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A house rule.")
+@click.option("--renderer", type=click.Choice(RENDERERS), help="What to begin with (keys 1 2 3).")
+@click.option("--size", metavar="WIDTHxHEIGHT", help="Size of the window, such as 1280x720.")
+@click.option("--rate", type=click.IntRange(1, 1000), help="Frames a second.")
+@click.option("--seed", type=int, help="Where all chance in the match comes from.")
+@click.option("--journal", type=click.Path(path_type=Path), help="Keep the match in this file.")
+@click.option("--resume", is_flag=True, help="Go on with the match in the journal.")
+def play(variant: str | None, **options: object) -> None:
+    """Play a game in a window. F1 shows the keys."""
+    from engine.app.play import play as open_window  # noqa: PLC0415
+
+    if variant is None:
+        raise click.UsageError("which game? `python -m engine list` shows them all")
+    settings = dict(_pair(text) for text in options.pop("settings"))  # type: ignore[attr-defined]
+    size = _size(options.pop("size"))
+    sys.exit(open_window(variant, settings=settings, size=size, **options))  # type: ignore[arg-type]
+
+
+def _pair(text: str) -> tuple[str, str]:
+    name, between, value = text.partition("=")
+    if not between:
+        raise click.UsageError(f"--set {text}: write it as NAME=VALUE, such as target=5")
+    return name.strip(), value.strip()
+
+
+def _size(text: object) -> tuple[int, int] | None:
+    if text is None:
+        return None
+    width, _, height = str(text).partition("x")
+    if not (width.isdecimal() and height.isdecimal()):
+        raise click.UsageError(f"--size {text}: write it as WIDTHxHEIGHT, such as 1280x720")
+    return int(width), int(height)
+
+
+@main.command("list")
+@click.option("--json", "as_json", is_flag=True, help="Print a JSON list.")
+def list_games(*, as_json: bool) -> None:
+    """List the games that are at hand."""
+    from engine.variant.load import list_variants  # noqa: PLC0415
+
+    games = list_variants()
+    if as_json:
+        rows = [{"name": one.name, "title": one.title, "rulebook": one.rulebook} for one in games]
+        click.echo(json.dumps(rows, indent=2))
+        return
+    width = max((len(one.name) for one in games), default=0)
+    for one in games:
+        click.echo(f"{one.name:{width}}  {one.title} ({one.rulebook})")
+
+
+@main.command()
+@click.argument("variants", nargs=-1)
+@click.option("--json", "as_json", is_flag=True, help="Print a JSON list of mistakes.")
+def check(variants: Sequence[str], *, as_json: bool) -> None:
+    """Check variant files and their scripts; every mistake comes with a mend.
+
+    Without a name, all games at hand are checked. Exit status 0: no mistake, 1: mistakes,
+    2: a variant cannot be found.
+    """
+    from engine.variant.library import VariantError  # noqa: PLC0415
+    from engine.variant.load import check_variant, list_variants  # noqa: PLC0415
+
+    names = list(variants) or [one.name for one in list_variants()]
+    found: list[Diagnostic] = []
+    status = 0
+    for name in names:
+        try:
+            found += check_variant(name)
+        except VariantError as error:
+            found += error.diagnostics
+            status = 2
+    _tell(found, as_json=as_json)
+    if not as_json and not found:
+        click.echo(f"{len(names)} checked, no mistakes")
+    sys.exit(status or int(any(one.severity == "error" for one in found)))
+
+
+def _tell(diagnostics: Sequence[Diagnostic], *, as_json: bool) -> None:
+    from dataclasses import asdict  # noqa: PLC0415
+
+    from rulelang.diagnostics import render  # noqa: PLC0415
+
+    if as_json:
+        click.echo(json.dumps([asdict(one) for one in diagnostics], indent=2))
+        return
+    for one in diagnostics:
+        click.echo(render(one), err=True)
+
+
+@main.command()
+@click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON list, an object a record.")
+@click.option("--update", is_flag=True, help="Rewrite expectations to what the referee says.")
+def golden(paths: Sequence[Path], *, as_json: bool, update: bool) -> None:
+    """Judge recorded shots again and show what differs.
+
+    PATHS are record files, or folders that hold them. Exit status 0: all pass, 1: some differ,
+    2: a file cannot be used.
+    """
+    from engine.records.golden import run_paths, status_of  # noqa: PLC0415
+    from engine.records.show import show_result, summary  # noqa: PLC0415
+
+    results = []
+    for result in run_paths(paths):
+        results.append(result)
+        if not as_json:
+            show_result(result)
+        if update and result.outcome is not None and not result.outcome.passed:
+            _update(result.path, result.outcome)
+    if as_json:
+        click.echo(json.dumps([result.as_json() for result in results], indent=2))
+    else:
+        click.echo(summary(results))
+    sys.exit(0 if update and status_of(results) == 1 else status_of(results))
+
+
+def _update(path: Path, outcome: object) -> None:
+    from engine.records.update import update_text  # noqa: PLC0415
+
+    path.write_text(update_text(path.read_text(encoding="utf-8"), outcome), encoding="utf-8")  # type: ignore[arg-type]
+    click.echo(f"{path}: rewritten", err=True)
+
+
+@main.command()
+@click.argument("record", type=click.Path(path_type=Path))
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.option("--all", "everything", is_flag=True, help="Show the rules that did not fire, too.")
+def explain(record: Path, *, as_json: bool, everything: bool) -> None:
+    """Say what the referee decides on a recorded shot and by which rules."""
+    from functools import cache  # noqa: PLC0415
+
+    from engine.records.read import read_record  # noqa: PLC0415
+    from engine.records.record import RecordError  # noqa: PLC0415
+    from engine.records.run import run_record  # noqa: PLC0415
+    from engine.records.show import explain_json, explain_text  # noqa: PLC0415
+    from engine.variant.load import load_variant  # noqa: PLC0415
+
+    try:
+        outcome = run_record(read_record(record, cache(load_variant)))
+    except RecordError as error:
+        _tell(error.diagnostics, as_json=False)
+        sys.exit(2)
+    if as_json:
+        click.echo(json.dumps(explain_json(outcome), indent=2))
+    else:
+        click.echo(explain_text(outcome, everything=everything))
+
+
+@main.command()
+@click.argument("variant")
+@click.option("--speed", type=float, required=True, help="Speed of the cue, m/s.")
+@click.option("--heading", type=float, default=0.0, help="Degrees from +x (head to foot).")
+@click.option("--elevation", type=float, default=0.0, help="Degrees above the bed.")
+@click.option("--side", type=float, default=0.0, help="Tip right of the centre, ball radii.")
+@click.option("--follow", type=float, default=0.0, help="Tip above the centre, ball radii.")
+@click.option("--place", nargs=2, type=float, metavar="X Y", help="Where the ball in hand goes, m.")
+@click.option("--seed", type=int, default=0, help="Decides the rack.")
+@click.option("--record", type=click.Path(path_type=Path), help="Keep the shot as a record.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def simulate(variant: str, place: tuple[float, float] | None, **options: object) -> None:
+    """Play the first stroke of a game without a window: events, verdict, where the balls lie."""
+    from engine.records.first import first_stroke  # noqa: PLC0415
+
+    try:
+        click.echo(first_stroke(_load(variant), place, **options))  # type: ignore[arg-type]
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
+
+
+@main.command()
+@click.argument("variant")
+@click.option("--renderer", type=click.Choice(RENDERERS), default="scanline", show_default=True)
+@click.option("--camera", type=click.Choice(CAMERAS), default="cue", show_default=True)
+@click.option("--size", metavar="WIDTHxHEIGHT", default="1280x720", show_default=True)
+@click.option("--seed", type=int, default=0, help="Decides the rack.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, metavar="FILE.png")
+def render(variant: str, renderer: str, camera: str, size: str, seed: int, output: Path) -> None:
+    """Draw a game's starting position as a PNG, without a window."""
+    from engine.stage.picture import render_variant  # noqa: PLC0415
+    from engine.variant.rack import lay_rack  # noqa: PLC0415
+
+    loaded = _load(variant)
+    layout = lay_rack(loaded.rack, seed)
+    render_variant(loaded, layout, renderer, camera, _size(size) or (1280, 720), output)
+    click.echo(f"{output}: {loaded.title}, {renderer}, seen from {camera}")
+
+
+def _load(variant: str) -> Variant:
+    from engine.variant.library import VariantError  # noqa: PLC0415
+    from engine.variant.load import load_variant  # noqa: PLC0415
+
+    try:
+        return load_variant(variant)
+    except VariantError as error:
+        _tell(error.diagnostics, as_json=False)
+        sys.exit(2)
+
+
+def typed(text: str) -> Value:
+    """Return a setting's value as it is written on the command line."""
+    if text in {"true", "yes", "on"}:
+        return True
+    if text in {"false", "no", "off"}:
+        return False
+    return int(text) if text.lstrip("-").isdecimal() else text
+
+
+if __name__ == "__main__":
+    main()

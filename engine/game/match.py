@@ -1,0 +1,154 @@
+"""A match: a variant, a seed and the shots so far.
+
+One idea: every state is kept, so undo, replay, resume and records are one mechanism.
+Invariant: the situation is what the shots, judged one after the other, made of the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from rulelang.evaluate import start
+
+from engine.game.referee import take_in_hand
+from engine.game.situation import Rest, Situation, as_rules_see, empty
+from engine.game.spotting import place_ball
+from engine.table.furniture import BallId, ZoneId
+from engine.variant.rack import lay_rack
+
+if TYPE_CHECKING:
+    from engine.game.shot import Shot
+    from engine.game.verdict import Verdict
+    from engine.variant.variant import Value, Variant
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """One shot of a match with the situation before it and the verdict on it."""
+
+    before: Situation
+    shot: Shot
+    verdict: Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """A match as a value; `situation` is the one before the next shot."""
+
+    variant: Variant
+    seed: int
+    settings: Mapping[str, Value]
+    situation: Situation
+    played: tuple[Played, ...] = field(default=())
+
+
+class SettingError(ValueError):
+    """A number of players or a setting that the variant does not know."""
+
+
+def start_match(
+    variant: Variant,
+    players: int | None = None,
+    settings: Mapping[str, Value] = empty(),
+    seed: int = 0,
+) -> Match:
+    """Return a new match; raises SettingError for players or settings the variant refuses."""
+    fewest, most, usual = variant.players
+    count = usual if players is None else players
+    if not fewest <= count <= most:
+        raise SettingError(f"{variant.title} is for {fewest} to {most} players, not {count}")
+    chosen = check_settings(variant, settings)
+    return Match(variant, seed, chosen, start_game(variant, count, chosen, seed))
+
+
+def check_settings(variant: Variant, settings: Mapping[str, Value]) -> dict[str, Value]:
+    """Return every setting of the variant with its value; raises SettingError."""
+    values = {name: setting.default for name, setting in variant.settings.items()}
+    for name, value in settings.items():
+        if name not in values:
+            known = ", ".join(values) or "none"
+            raise SettingError(f"{variant.title} has no setting {name}; it has: {known}")
+        setting = variant.settings[name]
+        if type(value) is not type(setting.default):
+            kind = {bool: "true or false", int: "a whole number"}.get(type(setting.default), "text")
+            raise SettingError(f"the setting {name} is {kind}, not {value!r}")
+        if setting.choices and value not in setting.choices:
+            known = ", ".join(map(str, setting.choices))
+            raise SettingError(f"the setting {name} is one of {known}, not {value!r}")
+        values[name] = value
+    return values
+
+
+def start_game(
+    variant: Variant,
+    players: int,
+    settings: Mapping[str, Value],
+    seed: int = 0,
+    breaker: int = 1,
+    scores: tuple[int, ...] | None = None,
+) -> Situation:
+    """Return the situation before the first shot of a game, balls racked by the seed."""
+    situation = Situation(
+        players=players,
+        shooter=breaker,
+        phase=(variant.program.phases or ("",))[0],
+        scores=scores or (0,) * players,
+        on_table=balls_at_start(variant),
+        state=start_state(variant, players, breaker),
+        settings=settings,
+        rest=racked(variant, seed),
+        breaker=breaker,
+        seed=seed,
+    )
+    return _open(variant, situation)
+
+
+def balls_at_start(variant: Variant) -> frozenset[BallId]:
+    """Return the balls in play at the start of a game: those racked and every cue ball."""
+    return frozenset(lay_rack(variant.rack, 0)) | frozenset(variant.cue_balls)
+
+
+def racked(variant: Variant, seed: int) -> Rest:
+    """Return the balls at rest in their starting places."""
+    rest = Rest()
+    for ball, at in lay_rack(variant.rack, seed).items():
+        rest = place_ball(variant, rest, ball, at)
+    return rest
+
+
+def start_state(variant: Variant, players: int, breaker: int = 1) -> dict[str, object]:
+    """Return the start value of everything the script tracks, per player as a tuple."""
+    return {
+        name: (start,) * players if track.per_player else start
+        for name, track in variant.program.tracked.items()
+        for start in [breaker if track.start == "breaker" else track.start]
+    }
+
+
+def _open(variant: Variant, situation: Situation) -> Situation:
+    """Return the situation after what the script does at the start of a game."""
+    decided = start(variant.program, as_rules_see(situation))
+    given = decided.in_hand
+    zone = None if given is None or given.zone is None else ZoneId(given.zone)
+    begun = replace(
+        situation,
+        phase=decided.phase or situation.phase,
+        state=dict(decided.state) or situation.state,
+        shooter=decided.next_player or situation.shooter,
+    )
+    return take_in_hand(variant, begun, zone)
+
+
+def advance(match: Match, shot: Shot, verdict: Verdict) -> Match:
+    """Return the match after a shot and its verdict."""
+    played = Played(match.situation, shot, verdict)
+    return replace(match, situation=verdict.after, played=(*match.played, played))
+
+
+def undo(match: Match) -> Match:
+    """Return the match before its last shot; a match without shots as it is."""
+    if not match.played:
+        return match
+    return replace(match, situation=match.played[-1].before, played=match.played[:-1])

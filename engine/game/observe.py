@@ -1,0 +1,172 @@
+"""What the referee sees of a simulated stroke: a trace becomes the events of the record.
+
+One idea: contacts come from the solver's own events; lines and zones are read off the motion
+pieces afterwards, exactly, so that the solver knows nothing of them.
+Invariant: events are in order of time; a shot observed twice reads the same.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import groupby
+from math import hypot
+from typing import TYPE_CHECKING
+
+from engine.game.contacts import as_cushion, nose_reach
+from engine.game.shot import Shot, as_written
+from engine.game.situation import TOUCHING, Rest, Situation, cue_ball_of
+from engine.physics import events as seen
+from engine.physics.simulate import simulate
+from engine.table.furniture import Straight
+from engine.table.marks import Piece, crossings, zone_changes
+from rulelang import events as told
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from engine.physics.trace import Trace
+    from engine.physics.world import Layout, World
+    from engine.table.furniture import BallId, Cushion
+    from engine.variant.variant import Variant
+
+SAME_TIME = 1e-9
+STEPS = 32
+
+
+def layout_of(variant: Variant, situation: Situation, shot: Shot) -> Layout:
+    """Return where the balls lie at the stroke, the ball in hand at its placement (m)."""
+    layout = dict(situation.rest.positions)
+    if situation.in_hand is not None and shot.placement is not None:
+        layout[cue_ball_of(variant, situation.shooter)] = shot.placement
+    return layout
+
+
+def simulate_shot(variant: Variant, situation: Situation, shot: Shot) -> Trace:
+    """Return the stroke played; raises ValueError for a shot without strike or cue ball."""
+    if shot.strike is None:
+        raise ValueError("a shot without a strike cannot be played")
+    ball = shot.struck or cue_ball_of(variant, situation.shooter)
+    layout = layout_of(variant, situation, shot)
+    return simulate(variant.world, layout, ball, as_written(shot.strike))
+
+
+def play(variant: Variant, situation: Situation, shot: Shot) -> Shot:
+    """Return the shot with what was seen when it was played."""
+    return observe(variant, situation, shot, simulate_shot(variant, situation, shot))
+
+
+def observe(variant: Variant, situation: Situation, shot: Shot, trace: Trace) -> Shot:
+    """Return the shot with its events and the balls at rest, as seen in the trace."""
+    struck = shot.struck or cue_ball_of(variant, situation.shooter)
+    found = [
+        *_contacts(trace, struck),
+        *_marks(variant, trace),
+        *_leavings(variant.world, situation, trace),
+    ]
+    ordered = sorted(found, key=lambda event: event.time or 0.0)
+    return replace(shot, events=tuple(ordered), after=Rest(positions=dict(trace.final)))
+
+
+def _contacts(trace: Trace, struck: BallId) -> Iterator[told.Event]:
+    met = [one for event in trace.events() if (one := _translate(event, struck)) is not None]
+    for (_, first), group in groupby(met, key=_moment):
+        together = list(group)
+        if first is None or len(together) == 1:
+            yield from together
+        else:
+            yield _at_once(together)
+
+
+def _moment(event: told.Event) -> tuple[int, str | None]:
+    """Return what two hits of the same ball at the same time have in common."""
+    ticks = round((event.time or 0.0) / SAME_TIME)
+    return ticks, event.ball if isinstance(event, told.BallsHit) else None
+
+
+def _at_once(hits: list[told.Event]) -> told.BallsHit:
+    balls = [hit for hit in hits if isinstance(hit, told.BallsHit)]
+    others = tuple(dict.fromkeys(other for hit in balls for other in hit.others))
+    return replace(balls[0], others=others)
+
+
+def _translate(event: seen.Event, struck: BallId) -> told.Event | None:
+    match event:
+        case seen.BallsCollided(time, ball, other):
+            first, second = (other, ball) if other == struck else (ball, other)
+            return told.BallsHit(first, (second,), time)
+        case seen.CushionHit(time, ball, cushion):
+            return told.CushionHit(ball, cushion, time)
+        case seen.JawHit(time, ball, pocket):
+            return told.JawHit(ball, pocket, time)
+        case seen.BallPocketed(time, ball, pocket):
+            return told.Pocketed(ball, pocket, time)
+        case seen.BallLeftTable(time, ball):
+            return told.LeftTable(ball, time)
+        case seen.RollingBegan() | seen.BallStopped():
+            return None
+
+
+def _marks(variant: Variant, trace: Trace) -> Iterator[told.Event]:
+    """Yield the lines and zones passed that the script asks about."""
+    table, asked = variant.world.table, variant.program.asks
+    for ball in trace.balls:
+        ways = pieces_of(trace, ball.id)
+        for name, line in table.lines.items():
+            if name in asked:
+                for crossing in crossings(line, ways):
+                    yield told.LineCrossed(ball.id, name, crossing.time)
+        for name, zone in table.zones.items():
+            if name in asked:
+                for change in zone_changes(zone, ways, table):
+                    kind = told.ZoneEntered if change.entered else told.ZoneLeft
+                    yield kind(ball.id, name, change.time)
+
+
+def pieces_of(trace: Trace, ball: BallId) -> tuple[Piece, ...]:
+    """Return the ball's way, piece by piece."""
+    return tuple(
+        Piece(begin, end - begin, position, velocity, acceleration)
+        for begin, end, position, velocity, acceleration in trace.pieces_of(ball)
+        if end > begin
+    )
+
+
+def _leavings(world: World, situation: Situation, trace: Trace) -> Iterator[told.Event]:
+    """Yield when a ball that was frozen to a cushion comes clear of it."""
+    radii = {ball.id: ball.radius for ball in trace.balls}
+    for cushion in world.table.cushions:
+        for ball in sorted(radii):
+            if (ball, as_cushion(cushion.id)) in situation.rest.frozen:
+                clear = nose_reach(radii[ball], world.table.nose_height) + TOUCHING
+                time = _first_clear(cushion, pieces_of(trace, ball), clear)
+                if time is not None:
+                    yield told.CushionLeft(ball, cushion.id, time)
+
+
+def _first_clear(cushion: Cushion, ways: Iterable[Piece], clear: float) -> float | None:
+    for way in ways:
+        for step in range(1, STEPS + 1):
+            high = way.duration * step / STEPS
+            if _gap(cushion, way, high) > clear:
+                low = way.duration * (step - 1) / STEPS
+                return way.begin + _bisect(cushion, way, clear, low, high)
+    return None
+
+
+def _bisect(cushion: Cushion, way: Piece, clear: float, low: float, high: float) -> float:
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (low, middle) if _gap(cushion, way, middle) > clear else (middle, high)
+    return high
+
+
+def _gap(cushion: Cushion, way: Piece, s: float) -> float:
+    x, y = way.at(s)
+    noses = [shape for shape in cushion.shapes if isinstance(shape, Straight)]
+    return min(_from_line(x, y, nose) for nose in noses)
+
+
+def _from_line(x: float, y: float, nose: Straight) -> float:
+    (ax, ay), (bx, by) = nose.start, nose.end
+    length = hypot(bx - ax, by - ay)
+    return abs((x - ax) * (by - ay) - (y - ay) * (bx - ax)) / length

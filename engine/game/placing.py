@@ -1,0 +1,77 @@
+"""Where a ball in hand may be put.
+
+One idea: a place is lawful in its zone, on the bed and clear of every other ball; the usual
+place is the lawful one nearest to the middle of the zone's edge towards the foot.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import TYPE_CHECKING
+
+from engine.game.shot import Refusal
+from engine.game.situation import Situation, cue_ball_of
+from engine.table.furniture import Places
+from engine.table.marks import contains
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from engine.table.furniture import BallId, Point, ZoneId
+    from engine.variant.variant import Variant
+
+GRID = 160
+CLEAR = 1e-6
+
+
+def refuse_place(variant: Variant, situation: Situation, at: Point) -> Refusal | None:
+    """Return why the ball in hand cannot be put at `at` (m), None where it can."""
+    zone = situation.in_hand
+    if zone is None:
+        return Refusal("the cue ball is not in hand", "play it from where it lies")
+    table = variant.world.table
+    ball = cue_ball_of(variant, situation.shooter)
+    other = _overlapped(variant, situation, ball, at)
+    if other is not None:
+        return Refusal(f"there is no room beside {other}", "move it clear of the other balls")
+    radius = next(one.radius for one in variant.world.balls if one.id == ball)
+    if abs(at[0]) > table.length / 2 - radius or abs(at[1]) > table.width / 2 - radius:
+        return Refusal("the ball does not lie on the bed", "move it away from the cushion")
+    if not contains(table.zones[zone], at, table):
+        return Refusal(f"that is outside {zone}", f"the ball is in hand in {zone}")
+    return None
+
+
+def _overlapped(variant: Variant, situation: Situation, ball: BallId, at: Point) -> BallId | None:
+    radii = {one.id: one.radius for one in variant.world.balls}
+    for other, (x, y) in situation.rest.positions.items():
+        near = radii[ball] + radii[other] + CLEAR
+        if other != ball and hypot(at[0] - x, at[1] - y) < near:
+            return other
+    return None
+
+
+def usual_place(variant: Variant, situation: Situation) -> Point | None:
+    """Return a lawful place (m) for the ball in hand, near the middle and towards the foot."""
+    if situation.in_hand is None:
+        return None
+    lawful = (
+        at
+        for at in _places(variant, situation.in_hand)
+        if refuse_place(variant, situation, at) is None
+    )
+    return min(lawful, key=lambda at: (round(abs(at[1]), 6), -at[0]), default=None)
+
+
+def _places(variant: Variant, zone: ZoneId) -> Iterator[Point]:
+    table = variant.world.table
+    area = table.zones[zone]
+    if isinstance(area, Places):
+        yield from area.points
+        return
+    for i in range(GRID + 1):
+        for j in range(GRID // 2 + 1):
+            yield (
+                table.length * (i / GRID - 0.5),
+                table.width * (j / (GRID // 2) - 0.5),
+            )

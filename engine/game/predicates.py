@@ -1,0 +1,95 @@
+"""What positions tell and a script may ask for: snookers and clear paths.
+
+One idea: a predicate is a function of the balls asked about; where a position that it needs is
+not known it answers None, and the referee's stated fact or the game's default stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from math import hypot
+from typing import TYPE_CHECKING
+
+from engine.game.sight import View, path_to, snookering_ball
+from engine.game.situation import Rest, Situation, cue_ball_of
+from engine.game.spotting import Board, carry_out
+from engine.table.furniture import BallId, Places, ZoneId
+from engine.table.marks import contains
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from engine.game.shot import Shot
+    from engine.table.furniture import Point, Table
+    from engine.variant.variant import Value, Variant
+    from rulelang.decisions import TableAction
+
+Predicate = Callable[..., "Value | None"]
+STEPS = 12
+"""A zone is looked at from a grid of this many places each way."""
+
+
+def predicates_of(
+    variant: Variant, before: Situation, shot: Shot, after: Rest
+) -> Mapping[str, Predicate]:
+    """Return the predicates of one shot by the names that scripts use."""
+
+    def path(targets: frozenset[str], _done: tuple[TableAction, ...]) -> Value | None:
+        struck = shot.struck or cue_ball_of(variant, before.shooter)
+        origin = shot.placement or before.rest.positions.get(struck)
+        view = _view(variant, before.rest, before.on_table, struck, origin)
+        return None if view is None else path_to(view, map(BallId, targets))
+
+    def snooker(
+        targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
+    ) -> Value | None:
+        struck = shot.struck or cue_ball_of(variant, before.shooter)
+        board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
+        views = list(_views(variant, board, struck, zone))
+        blockers = [snookering_ball(view, map(BallId, targets)) for view in views]
+        return blockers[0] if blockers and all(blockers) else None
+
+    return {"path": path, "snooker": snooker}
+
+
+def _view(
+    variant: Variant, rest: Rest, on_table: frozenset[BallId], ball: BallId, origin: Point | None
+) -> View | None:
+    if origin is None or not rest.positions.keys() >= on_table - {ball}:
+        return None
+    radii = {one.id: one.radius for one in variant.world.balls}
+    others = {other: at for other, at in rest.positions.items() if other != ball}
+    return View(origin, radii[ball], others, radii)
+
+
+def _views(variant: Variant, board: Board, ball: BallId, zone: str | None) -> Iterator[View]:
+    """Yield what the cue ball sees from where it lies, or from places it may be put at."""
+    lies = board.rest.positions.get(ball)
+    for origin in _origins(variant, board, ball, zone) if lies is None else [lies]:
+        view = _view(variant, board.rest, board.on_table, ball, origin)
+        if view is not None:
+            yield view
+
+
+def _origins(variant: Variant, board: Board, ball: BallId, zone: str | None) -> list[Point]:
+    """Return the free places of the zone that a ball off the table is played from."""
+    table = variant.world.table
+    if zone is None or not board.rest.positions:
+        return []
+    area = table.zones[ZoneId(zone)]
+    radii = {one.id: one.radius for one in variant.world.balls}
+    return [
+        (x, y)
+        for x, y in (area.points if isinstance(area, Places) else _grid(table))
+        if contains(area, (x, y), table)
+        and all(
+            hypot(x - u, y - v) > radii[ball] + radii[other]
+            for other, (u, v) in board.rest.positions.items()
+        )
+    ]
+
+
+def _grid(table: Table) -> Iterator[Point]:
+    for i in range(-STEPS * 4, STEPS * 4 + 1):
+        for j in range(-STEPS, STEPS + 1):
+            yield i * table.length / (8 * STEPS + 1), j * table.width / (2 * STEPS + 1)

@@ -1,0 +1,207 @@
+"""The referee: what a shot means by the rules, and the situation that follows.
+
+One idea: the script decides, the referee carries out. Choice first, then the stroke; each
+turns one Situation into the next. Nothing here plays a sound, draws or reads a clock.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from rulelang.evaluate import Admission, admit, choose, judge
+
+from engine.game.aftermath import fallen, rest_after
+from engine.game.predicates import predicates_of
+from engine.game.situation import Judged, Situation, as_rules_see, cue_ball_of, zones_of
+from engine.game.spotting import Board, carry_out, lift
+from engine.game.verdict import Verdict
+from engine.table.furniture import ZoneId
+from rulelang import facts as said
+
+if TYPE_CHECKING:
+    from engine.game.shot import Shot
+    from engine.variant.variant import Variant
+    from rulelang.decisions import Decisions, Offer
+
+PLAY = "play"
+
+
+def look_ahead(variant: Variant, situation: Situation, call: said.Call | None = None) -> Admission:
+    """Return what must be called, what may be chosen and what is on before the next shot."""
+    return admit(variant.program, as_rules_see(situation), call)
+
+
+def judge_shot(
+    variant: Variant, situation: Situation, shot: Shot, *, explain: bool = True
+) -> Verdict:
+    """Return the verdict on a shot whose events are known, or that is only a choice."""
+    chosen = take_choice(variant, situation, shot, explain=explain)
+    if shot.is_only_choice:
+        return chosen
+    return _judge_stroke(variant, chosen.after, shot, explain=explain)
+
+
+def offer_taken(situation: Situation, choice: str | None) -> Offer | None:
+    """Return the offer that a choice takes; `play` is taken where it is on offer and no other.
+
+    An option that is not on offer is void.
+    """
+    on_offer = {offer.option: offer for offer in situation.offers}
+    return on_offer.get(choice or PLAY) or on_offer.get(PLAY)
+
+
+def take_choice(
+    variant: Variant, situation: Situation, shot: Shot, *, explain: bool = True
+) -> Verdict:
+    """Return the verdict of the choice alone: what its consequences did at once."""
+    taken = offer_taken(situation, shot.choice)
+    after = replace(situation, offers=())
+    if taken is None:
+        return _nothing_said(after)
+    last = situation.judged
+    decided = choose(
+        variant.program,
+        as_rules_see(situation),
+        taken.option,
+        taken.key if taken.key >= 0 else None,
+        last.situation if last else None,
+        last.shot if last else None,
+    )
+    board = carry_out(
+        variant,
+        Board(situation.rest, situation.on_table),
+        decided.table,
+        decided.homes,
+        last.before if last else situation,
+    )
+    after = _follow(variant, after, decided, board)
+    if board.restored and last:
+        after = _as_before(variant, after, last.before, decided)
+    return _verdict(decided, board, after, explain=explain)
+
+
+def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain: bool) -> Verdict:
+    before = replace(situation, offers=())
+    told = _as_rules_hear(variant, before, shot)
+    decided = judge(variant.program, as_rules_see(before), told, explain=explain)
+    events = shot.events or ()
+    down = fallen(events, variant.program.settled_within)
+    rest = rest_after(variant, before, shot, down)
+    board = carry_out(
+        variant, Board(rest, before.on_table - down), decided.table, decided.homes, before
+    )
+    after = _follow(variant, before, decided, board)
+    after = replace(after, judged=Judged(as_rules_see(before), told, _forget(before)))
+    verdict = _verdict(decided, board, after, explain=explain)
+    return replace(verdict, events=events)
+
+
+def _as_rules_hear(variant: Variant, before: Situation, shot: Shot) -> said.Shot:
+    down = fallen(shot.events or (), variant.program.settled_within)
+    after = rest_after(variant, before, shot, down)
+    placed = shot.placement
+    return said.Shot(
+        struck=shot.struck or cue_ball_of(variant, before.shooter),
+        events=shot.events or (),
+        call=shot.call,
+        chosen=shot.choice,
+        facts=shot.facts,
+        predicates=predicates_of(variant, before, shot, after),
+        rest=said.Rest(dict(after.zones), after.frozen, dict(after.covered)),
+        placed=None if placed is None else zones_of(variant.world.table, placed),
+    )
+
+
+def _forget(situation: Situation) -> Situation:
+    """Return the situation without the shot judged before it, so that history stays short."""
+    return replace(situation, judged=None)
+
+
+def _follow(variant: Variant, before: Situation, decided: Decisions, board: Board) -> Situation:
+    shooter = decided.offers[0].player if decided.offers else decided.next_player
+    scores = tuple(map(sum, zip(before.scores, decided.points, strict=False)))
+    given = decided.in_hand
+    in_hand = before.in_hand if given is None and not _moved_on(before, board) else None
+    if given is not None:
+        in_hand = None if given.zone is None else ZoneId(given.zone)
+    after = replace(
+        before,
+        shooter=shooter,
+        phase=decided.phase,
+        scores=scores or before.scores,
+        on_table=board.on_table,
+        state=dict(decided.state),
+        rest=board.rest,
+        offers=decided.offers,
+        eliminated=decided.eliminated,
+        shots=before.shots + 1,
+    )
+    after = take_in_hand(variant, after, in_hand)
+    return _end(after, decided) if decided.endings else _announce(variant, after)
+
+
+def _moved_on(before: Situation, board: Board) -> bool:
+    return board.rest is not before.rest
+
+
+def take_in_hand(variant: Variant, situation: Situation, zone: ZoneId | None) -> Situation:
+    """Return the situation with the shooter's cue ball in hand in `zone`, or not in hand."""
+    if zone is None:
+        return replace(situation, in_hand=None)
+    ball = cue_ball_of(variant, situation.shooter)
+    return replace(
+        situation,
+        in_hand=zone,
+        on_table=situation.on_table | {ball},
+        rest=lift(situation.rest, frozenset({ball})),
+    )
+
+
+def _end(after: Situation, decided: Decisions) -> Situation:
+    over = decided.endings[0]
+    return replace(
+        after,
+        winner=over.winner,
+        match_over=any(one.unit == "match" for one in decided.endings),
+        offers=(),
+        in_hand=None,
+    )
+
+
+def _announce(variant: Variant, after: Situation) -> Situation:
+    """Return the situation with what the script offers before the next shot."""
+    if after.offers:
+        return after
+    return replace(after, offers=look_ahead(variant, after).offers)
+
+
+def _as_before(
+    variant: Variant, after: Situation, before: Situation, decided: Decisions
+) -> Situation:
+    """Return the situation with phase and turn as before the stroke; scores and counters stay."""
+    tracked = variant.program.tracked
+    turned = {name: before.state[name] for name in before.state if tracked[name].scope == "turn"}
+    phase = before.phase if decided.phase == after.phase else decided.phase
+    return replace(
+        take_in_hand(variant, after, before.in_hand),
+        phase=phase,
+        state={**after.state, **turned},
+    )
+
+
+def _nothing_said(after: Situation) -> Verdict:
+    return Verdict((), (0,) * after.players, (), (), 0, (), (), after)
+
+
+def _verdict(decided: Decisions, board: Board, after: Situation, *, explain: bool) -> Verdict:
+    return Verdict(
+        fouls=decided.fouls,
+        points=decided.points or (0,) * after.players,
+        spotted=board.spotted,
+        removed=board.removed,
+        reracked=board.reracked,
+        explanation=decided.explanation if explain else (),
+        events=(),
+        after=after,
+    )

@@ -1,0 +1,125 @@
+"""The game between two shots: one value that holds all that is known.
+
+One idea: a Situation is complete, so undo, resume, replay and records are the same mechanism.
+Invariant: whatever is not known (places of balls in a record without positions) is absent,
+never guessed. Players count from 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import rulelang.facts as said
+from engine.table.furniture import BallId, Point, SpotId, Table, ZoneId
+from engine.table.marks import contains
+
+if TYPE_CHECKING:
+    from engine.variant.variant import Value, Variant
+    from rulelang.decisions import Offer
+    from rulelang.facts import Tracked
+
+TOUCHING = 2e-5
+"""Balls, or a ball and a nose, that lie closer than this (m) are frozen to each other."""
+
+Pair = tuple[str, str]
+"""Two things that touch: (ball, ball) or (ball, "cushion NAME")."""
+
+
+def empty() -> Mapping:  # type: ignore[type-arg]
+    """Return a mapping that holds nothing and stays so."""
+    return MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """What is known of the balls at rest, as far as it is known.
+
+    `positions` in metres; `zones` the zones that a ball stands in; `frozen` who touches whom;
+    `covered` the spots on which no ball can be put, by the ball that stands there.
+    """
+
+    positions: Mapping[BallId, Point] = field(default_factory=empty)
+    zones: Mapping[BallId, frozenset[ZoneId]] = field(default_factory=empty)
+    frozen: frozenset[Pair] = frozenset()
+    covered: Mapping[SpotId, BallId] = field(default_factory=empty)
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """The shot that was judged last, as the rules saw it: consequences of a choice ask for it."""
+
+    situation: said.Situation
+    shot: said.Shot
+    before: Situation
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """The game before a shot; `seed` is the match's, `shots` how many were judged before.
+
+    `in_hand` is the zone in which the shooter's cue ball is in hand. `offers` is what the
+    shooter may choose from before the shot. `winner` is None while the game goes on, 0 for a
+    draw; `match_over` says whether the match ended with it.
+    """
+
+    players: int
+    shooter: int
+    phase: str
+    scores: tuple[int, ...]
+    on_table: frozenset[BallId]
+    state: Mapping[str, Tracked]
+    settings: Mapping[str, Value]
+    rest: Rest = Rest()
+    in_hand: ZoneId | None = None
+    offers: tuple[Offer, ...] = ()
+    breaker: int = 1
+    eliminated: frozenset[int] = frozenset()
+    seed: int = 0
+    shots: int = 0
+    winner: int | None = None
+    match_over: bool = False
+    judged: Judged | None = None
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The names of the options on offer, in the order of the script."""
+        return tuple(dict.fromkeys(offer.option for offer in self.offers))
+
+    @property
+    def over(self) -> bool:
+        """Whether the game (rack, frame, set) has ended."""
+        return self.winner is not None
+
+
+def cue_ball_of(variant: Variant, player: int) -> BallId:
+    """Return the cue ball of a player: the one that serves all, or his own."""
+    balls = variant.cue_balls
+    return balls[(player - 1) % len(balls)]
+
+
+def zones_of(table: Table, point: Point) -> frozenset[ZoneId]:
+    """Return every zone of the table that holds `point` (m)."""
+    return frozenset(name for name, zone in table.zones.items() if contains(zone, point, table))
+
+
+def as_rules_see(situation: Situation) -> said.Situation:
+    """Return the situation in the language's own terms."""
+    return said.Situation(
+        players=situation.players,
+        shooter=situation.shooter,
+        phase=situation.phase,
+        scores=situation.scores,
+        on_table=frozenset(situation.on_table),
+        state=situation.state,
+        settings=situation.settings,
+        in_hand=situation.in_hand,
+        zones=dict(situation.rest.zones),
+        frozen=situation.rest.frozen,
+        options=situation.options,
+        breaker=situation.breaker,
+        eliminated=situation.eliminated,
+        seed=situation.seed * 1_000_003 + situation.shots,
+    )

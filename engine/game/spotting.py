@@ -1,0 +1,218 @@
+"""Balls come back to the table: the referee's hands.
+
+One idea: the decided actions are done one after the other on a value of what lies where; a
+place that is covered sends the ball to the next place its rule names.
+Invariant: no ball is put where another is known to lie.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import hypot
+from typing import TYPE_CHECKING
+
+from engine.game.contacts import frozen_pairs
+from engine.game.situation import Rest, Situation, zones_of
+from engine.game.verdict import Spotted
+from engine.table.furniture import BallId, SpotId
+from engine.table.marks import nearest_place
+from engine.variant.rack import lay_rack
+from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from engine.table.furniture import Point
+    from engine.variant.variant import Variant
+
+GAP = 1e-4
+"""Room (m) left between a ball put near its spot and its neighbour."""
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """What lies where while the referee works, and what he has done so far."""
+
+    rest: Rest
+    on_table: frozenset[BallId]
+    spotted: tuple[Spotted, ...] = ()
+    removed: tuple[BallId, ...] = ()
+    reracked: int = 0
+    restored: bool = False
+
+
+def carry_out(
+    variant: Variant,
+    board: Board,
+    actions: tuple[TableAction, ...],
+    homes: Mapping[str, str],
+    before: Situation,
+) -> Board:
+    """Return the board after the actions; `before` is the situation to restore."""
+    lifted = frozenset(BallId(one.ball) for one in actions if isinstance(one, Spot))
+    board = replace(board, rest=lift(board.rest, lifted))
+    for action in actions:
+        match action:
+            case Spot():
+                board = _spot(variant, board, action, homes)
+            case Remove(ball):
+                board = _remove(board, BallId(ball))
+            case Rerack(keeping):
+                board = _rerack(variant, board, frozenset(map(BallId, keeping)), before)
+            case Restore():
+                board = replace(board, rest=before.rest, on_table=before.on_table, restored=True)
+    return board
+
+
+def lift(rest: Rest, balls: frozenset[BallId]) -> Rest:
+    """Return what lies where after `balls` were taken up."""
+    return Rest(
+        positions={ball: at for ball, at in rest.positions.items() if ball not in balls},
+        zones={ball: zones for ball, zones in rest.zones.items() if ball not in balls},
+        frozen=frozenset(pair for pair in rest.frozen if not balls & set(pair)),
+        covered={spot: ball for spot, ball in rest.covered.items() if ball not in balls},
+    )
+
+
+def place_ball(variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
+    """Return what lies where after `ball` was put at `at` (m)."""
+    positions = {**lift(rest, frozenset({ball})).positions, ball: at}
+    touching = frozenset(pair for pair in frozen_pairs(variant.world, positions) if ball in pair)
+    lifted = lift(rest, frozenset({ball}))
+    return replace(
+        lifted,
+        positions=positions,
+        zones={**lifted.zones, ball: zones_of(variant.world.table, at)},
+        frozen=lifted.frozen | touching,
+    )
+
+
+def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, Point]) -> Rest:
+    """Return what is known with `positions` (m) added, zones and contacts read off them."""
+    if not positions:
+        return rest
+    zones = {ball: zones_of(variant.world.table, at) for ball, at in positions.items()}
+    return replace(
+        rest,
+        positions=dict(positions),
+        zones={**rest.zones, **zones},
+        frozen=rest.frozen | frozen_pairs(variant.world, positions),
+    )
+
+
+def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]) -> Board:
+    ball = BallId(action.ball)
+    covering: BallId | None = None
+    for place in action.places:
+        spot = _spot_of(variant, board, place, ball, covering, homes)
+        if spot is None:
+            continue
+        if place.kind == "near":
+            near = _put_near(variant, board, ball, spot, place.toward)
+            if near is not None:
+                return near
+            continue
+        covering = coverer(variant, board.rest, spot, ball)
+        if covering is None:
+            return _put_on(variant, board, ball, spot)
+    return replace(board, on_table=board.on_table | {ball})
+
+
+def _spot_of(
+    variant: Variant,
+    board: Board,
+    place: Place,
+    ball: BallId,
+    covering: BallId | None,
+    homes: Mapping[str, str],
+) -> SpotId | None:
+    if place.kind == "highest-free":
+        return _highest_free(variant, board, ball)
+    if place.kind == "occupant":
+        home = homes.get(covering or "") or _own_spot(variant, covering)
+        return SpotId(home) if home else None
+    named = place.spot or homes.get(ball) or _own_spot(variant, ball)
+    return SpotId(named) if named else None
+
+
+def _own_spot(variant: Variant, ball: BallId | None) -> SpotId | None:
+    return next((kind.spot for kind in variant.balls if kind.id == ball), None)
+
+
+def _highest_free(variant: Variant, board: Board, ball: BallId) -> SpotId | None:
+    kinds = sorted(variant.balls, key=lambda kind: -kind.value)
+    spots = dict.fromkeys(kind.spot for kind in kinds if kind.spot is not None and kind.value > 0)
+    free = (spot for spot in spots if coverer(variant, board.rest, spot, ball) is None)
+    return next(free, None)
+
+
+def coverer(variant: Variant, rest: Rest, spot: SpotId, ball: BallId) -> BallId | None:
+    """Return the ball known to lie so that `ball` cannot be put on `spot`, or None."""
+    if spot in rest.covered and rest.covered[spot] != ball:
+        return rest.covered[spot]
+    x, y = variant.world.table.spots[spot]
+    radii = {one.id: one.radius for one in variant.world.balls}
+    for other, (u, v) in sorted(rest.positions.items()):
+        if other != ball and hypot(u - x, v - y) <= radii[other] + radii[ball]:
+            return other
+    return None
+
+
+def _put_on(variant: Variant, board: Board, ball: BallId, spot: SpotId) -> Board:
+    at = variant.world.table.spots[spot]
+    rest = place_ball(variant, board.rest, ball, at)
+    return replace(
+        board,
+        rest=replace(rest, covered={**rest.covered, spot: ball}),
+        on_table=board.on_table | {ball},
+        spotted=(*board.spotted, Spotted(ball, spot, on=True)),
+    )
+
+
+def _put_near(
+    variant: Variant, board: Board, ball: BallId, spot: SpotId, toward: str
+) -> Board | None:
+    """Return the board with the ball near the spot; None where that way has no room."""
+    rest = board.rest
+    if rest.positions.keys() >= board.on_table - {ball}:
+        radii = {one.id: one.radius for one in variant.world.balls}
+        others = [(at, radii[other]) for other, at in rest.positions.items() if other != ball]
+        way = (1.0, 0.0) if toward == "foot" else (-1.0, 0.0)
+        table = variant.world.table
+        at = nearest_place(table, table.spots[spot], way, radii[ball], others, GAP)
+        if at is None:
+            return None
+        rest = place_ball(variant, rest, ball, at)
+    return replace(
+        board,
+        rest=rest,
+        on_table=board.on_table | {ball},
+        spotted=(*board.spotted, Spotted(ball, spot, on=False)),
+    )
+
+
+def _remove(board: Board, ball: BallId) -> Board:
+    return replace(
+        board,
+        rest=lift(board.rest, frozenset({ball})),
+        on_table=board.on_table - {ball},
+        removed=(*board.removed, ball),
+    )
+
+
+def _rerack(variant: Variant, board: Board, keeping: frozenset[BallId], before: Situation) -> Board:
+    racked = {
+        ball: at
+        for ball, at in lay_rack(variant.rack, before.seed + before.shots + 1).items()
+        if ball not in keeping
+    }
+    rest = lift(board.rest, frozenset(board.rest.positions) - keeping)
+    for ball, at in racked.items():
+        rest = place_ball(variant, rest, ball, at)
+    return replace(
+        board,
+        rest=rest,
+        on_table=frozenset(racked) | (board.on_table & keeping) | frozenset(variant.cue_balls),
+        reracked=len(racked),
+        spotted=(),
+    )

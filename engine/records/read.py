@@ -1,0 +1,61 @@
+"""A record file becomes a Record, or the list of every mistake in it.
+
+One idea: the file is read as a tree that knows its lines; its shape is checked by pydantic, then
+every name by the variant's own vocabulary. No record is half used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from engine.records.build import build_record
+from engine.records.record import Record, RecordError
+from engine.records.spec import RecordSpec
+from engine.variant.library import VariantError
+from engine.variant.report import Report
+from engine.variant.source import Node, parse_source, read_source
+from engine.variant.variant import Variant
+from rulelang.diagnostics import Diagnostic
+
+Load = Callable[[str], Variant]
+
+
+def read_record(path: Path, load: Load) -> Record:
+    """Return the record in a file; `load` gives a variant by its stem.
+
+    Raises RecordError with every mistake, each with file, line and column.
+    """
+    return _checked(path, read_source(path, path.parent), load)
+
+
+def read_record_text(text: str, path: Path, load: Load) -> Record:
+    """Return the record in a text; mistakes are told as being in `path`."""
+    return _checked(path, parse_source(text.encode(), path, path.parent), load)
+
+
+def _checked(path: Path, source: Node | list[Diagnostic], load: Load) -> Record:
+    if not isinstance(source, Node):
+        raise RecordError(tuple(source))
+    report = Report(source, shape=RecordSpec)
+    try:
+        spec = RecordSpec.model_validate(source.plain())
+    except ValidationError as error:
+        report.add_shape_errors(error, ())
+        raise RecordError(tuple(report.diagnostics)) from None
+    variant = _variant(spec, load, report)
+    if variant is not None:
+        record = build_record(path, spec, variant, report)
+        if record is not None:
+            return record
+    raise RecordError(tuple(report.diagnostics))
+
+
+def _variant(spec: RecordSpec, load: Load, report: Report) -> Variant | None:
+    try:
+        return load(spec.variant)
+    except VariantError as error:
+        report.add("T201", ("variant",), str(error).splitlines()[0])
+        return None

@@ -1,0 +1,109 @@
+"""Outcomes of records as text and as JSON.
+
+One idea: what is printed is made from the same values that decide pass and fail.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import TYPE_CHECKING
+
+import click
+
+from engine.game.phrases import format_event
+from engine.records.golden import DIFFERENT, UNUSABLE, Result
+from engine.records.say import expectation
+from rulelang.diagnostics import render
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from engine.records.run import Judgement, Outcome
+    from rulelang.decisions import RuleOutcome
+
+
+def show_result(result: Result) -> None:
+    """Print a record that does not pass: differences to stdout, mistakes to stderr."""
+    if result.outcome is None:
+        for mistake in result.mistakes:
+            click.echo(render(mistake), err=True)
+        return
+    if result.status == DIFFERENT:
+        click.echo(f"{result.path}: {result.outcome.record.title}")
+        for one in result.outcome.differences:
+            click.echo(f"  {one}")
+    if result.outcome.replayed is False:
+        click.echo(f"{result.path}: judged from its events, not replayed", err=True)
+
+
+def summary(results: Sequence[Result]) -> str:
+    """Return one line: how many passed, differ and cannot be used."""
+    bad = sum(result.status == UNUSABLE for result in results)
+    differ = sum(result.status == DIFFERENT for result in results)
+    passed = len(results) - bad - differ
+    return f"{passed} passed, {differ} differ, {bad} unusable"
+
+
+def explain_text(outcome: Outcome, *, everything: bool = False) -> str:
+    """Return what the referee says on each shot of a record, rule by rule."""
+    lines = [outcome.record.title]
+    for number, judged in enumerate(outcome.judgements, 1):
+        lines += ["", f"Shot {number}, player {judged.before.shooter}"]
+        lines += _events(judged)
+        lines += [f"  {line}" for line in verdict_lines(judged)]
+        lines += _rules(judged.verdict.explanation, everything=everything)
+    lines += ["", *(f"differs: {one}" for one in outcome.differences)]
+    return "\n".join(lines).rstrip()
+
+
+def _events(judged: Judgement) -> Iterator[str]:
+    for index, event in enumerate(judged.verdict.events, 1):
+        yield f"  {index:3d}  {format_event(event)}"
+
+
+def verdict_lines(judged: Judgement) -> Iterator[str]:
+    """Yield the verdict in short lines: fouls, points, who is next."""
+    verdict = judged.verdict
+    for foul in verdict.fouls:
+        cites = ", ".join(foul.cites)
+        worth = f", worth {foul.worth}" if foul.worth else ""
+        yield f"foul: {foul.name}{worth} [{cites}] ({foul.rule})"
+    for key, value in expectation(verdict, judged.before).items():
+        if key != "fouls" and value not in ([], {}):
+            yield f"{key}: {_short(value)}"
+
+
+def _short(value: object) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {_short(one)}" for name, one in value.items())
+    return " ".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def _rules(rules: Iterable[RuleOutcome], *, everything: bool) -> Iterator[str]:
+    for rule in rules:
+        if rule.outcome == "silent" and not everything:
+            continue
+        cites = f" [{', '.join(rule.cites)}]" if rule.cites else ""
+        seen = f" (events {', '.join(str(at + 1) for at in rule.events)})" if rule.events else ""
+        yield f"  {rule.outcome}: {rule.section}: {rule.rule}{cites}"
+        if rule.because:
+            yield f"      because {rule.because}{seen}"
+        yield from (f"      -> {said}" for said in rule.said)
+
+
+def explain_json(outcome: Outcome) -> dict[str, object]:
+    """Return the same as plain values for JSON."""
+    return {
+        "title": outcome.record.title,
+        "passed": outcome.passed,
+        "shots": [
+            {
+                "player": judged.before.shooter,
+                "events": [format_event(event) for event in judged.verdict.events],
+                "verdict": expectation(judged.verdict, judged.before),
+                "fouls": [asdict(foul) for foul in judged.verdict.fouls],
+                "rules": [asdict(rule) for rule in judged.verdict.explanation],
+            }
+            for judged in outcome.judgements
+        ],
+    }
