@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.scene.shape import Mesh, Polyline, Sphere
+from engine.scene.shape import Mesh, Polyline, Sphere, sphere_mesh
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -150,6 +150,44 @@ def carry(pack: Pack, rotation: Doubles, position: Doubles) -> Pack:
     )
 
 
+def sphere_pack(
+    unit: Pack, centre: Doubles, rotation: Doubles, radius: float, colour: Bytes, gloss: float
+) -> Pack:
+    """Return a sphere as a mesh: the unit sphere's pack in its place and size."""
+    placed = carry(unit, rotation * radius, centre)
+    normals = np.ascontiguousarray(unit.face_normals @ rotation.T)
+    count = len(normals)
+    return replace(
+        placed,
+        normals=unit.normals,
+        face_normals=normals,
+        face_offsets=(normals * placed.face_centres).sum(axis=1),
+        face_colours=np.tile(colour, (count, 1)),
+        face_light=np.tile(np.array([[gloss, 1.0]], dtype=np.float32), (count, 1)),
+    )
+
+
+class UnitSpheres:
+    """Unit spheres as packs, finer for larger ones, each made once."""
+
+    def __init__(self, pixels_a_step: float = 5.0, least: int = 6, most: int = 48) -> None:
+        self._pixels_a_step, self._least, self._most = pixels_a_step, least, most
+        self._kept: dict[int, Pack] = {}
+
+    def of(self, spheres: Spheres, view: View) -> list[Pack]:
+        """Return the unit sphere that suits the size of each on the screen."""
+        depths = np.maximum((spheres.centres - view.eye) @ view.basis[2], view.near)
+        across = spheres.radii * view.focal / depths
+        wanted = np.rint(across * np.pi / self._pixels_a_step)
+        steps = np.clip(wanted, self._least, np.minimum(spheres.gradients, self._most))
+        return [self._one(int(k)) for k in steps]
+
+    def _one(self, steps: int) -> Pack:
+        if steps not in self._kept:
+            self._kept[steps] = pack_mesh(sphere_mesh(steps))
+        return self._kept[steps]
+
+
 def join(packs: list[Pack]) -> Pack:
     """Return packs as one, their numbers of points and faces shifted."""
     if len(packs) == 1:
@@ -163,7 +201,7 @@ def join(packs: list[Pack]) -> Pack:
         moved = pack.edges + np.array([shifts[0], shifts[0], shifts[2], shifts[2]], dtype=np.int32)
         edges.append(np.where(pack.edges < 0, pack.edges, moved).astype(np.int32))
         starts.append(pack.starts[1:] + shifts)
-        shifts = starts[-1][-1]
+        shifts = shifts + pack.starts[-1]
     return Pack(
         points=np.concatenate([p.points for p in packs]),
         normals=np.concatenate([p.normals for p in packs]),
@@ -198,6 +236,20 @@ def _empty() -> Pack:
         planes=np.zeros((0, 4)),
         starts=np.zeros((1, 4), np.int32),
         traits=np.zeros((0, 2), np.int32),
+    )
+
+
+def no_spheres() -> Spheres:
+    """Return no spheres at all."""
+    return Spheres(
+        centres=np.zeros((0, 3)),
+        rotations=np.zeros((0, 3, 3)),
+        radii=np.zeros(0),
+        colours=np.zeros((0, 3), np.uint8),
+        gloss=np.zeros(0, np.float32),
+        gradients=np.zeros(0, np.int32),
+        skins=np.zeros(3, np.uint8),
+        skin_places=np.zeros((0, 2), np.int32),
     )
 
 

@@ -13,8 +13,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.render import depth_kernels, line_kernels, raster, shading
-from engine.render.image import Canvas, Picture, fill_background
-from engine.render.pack import Pack, Packer, Spheres, View, lines_of, view_of
+from engine.render.image import Canvas, Picture
+from engine.render.pack import (
+    Pack,
+    Packer,
+    Spheres,
+    UnitSpheres,
+    View,
+    join,
+    lines_of,
+    no_spheres,
+    sphere_pack,
+    view_of,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -41,6 +52,7 @@ class Scanline:
         self._threads = max(1, threads)
         self._pool = ThreadPoolExecutor(self._threads) if self._threads > 1 else None
         self._flat = flat
+        self._units = UnitSpheres()
         self._keeps = keeps
         self._depth = np.zeros((1, 1), np.float32)
         self._kept: tuple[object, ...] = ()
@@ -104,6 +116,11 @@ class Scanline:
         return self._packer
 
     @property
+    def units(self) -> UnitSpheres:
+        """Return the unit spheres for flat pictures."""
+        return self._units
+
+    @property
     def flat(self) -> bool:
         """Return whether every face has one colour."""
         return self._flat
@@ -133,12 +150,26 @@ class _Job:
         self.fixed = packer.fixed(scene)
         self.moving = packer.moving(scene)
         self.spheres = packer.spheres(scene)
+        if self.flat:
+            self._flatten_spheres(renderer.units)
         self.lines = lines_of(scene)
         self.discs, self.disc_colours = discs_of((*scene.marks, *scene.shadows))
         self._moving_points = _project(self.moving, view)
         self._moving_shades = self._shade(self.moving)
         self._fixed_points: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         self._order = far_first(self.spheres, view)
+
+    def _flatten_spheres(self, units: UnitSpheres) -> None:
+        """Make meshes of the spheres, for a picture with one light a face."""
+        s = self.spheres
+        packs = [
+            sphere_pack(
+                unit, s.centres[i], s.rotations[i], s.radii[i], s.colours[i], float(s.gloss[i])
+            )
+            for i, unit in enumerate(units.of(s, self.view))
+        ]
+        self.moving = join([self.moving, *packs])
+        self.spheres = no_spheres()
 
     def draw_fixed(self, top: int, bottom: int) -> None:
         """Draw background and fixed parts in a band of rows."""

@@ -28,11 +28,23 @@ def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]
             round_pockets.append((cell, near[0]))
         else:
             plain.append(cell)
-    blocks = [_block([cell], frame, [wood], None) for cell in plain]
+    blocks = [_block(_lengths(c), frame, [wood] * len(_lengths(c)), c) for c in plain]
     for cell, pocket in round_pockets:
         for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS):
             blocks.append(_fan_block(wedge, pocket, frame, wood, liner))
     return blocks
+
+
+def _lengths(cell: plan.Polygon) -> list[plan.Polygon]:
+    """Return a rectangle cut across its longer way, so that flat shading shows the lamps."""
+    (x0, y0), (x1, y1) = cell[0], cell[2]
+    count = max(1, round(max(x1 - x0, y1 - y0) / 0.2))
+    steps = [k / count for k in range(count + 1)]
+    if x1 - x0 >= y1 - y0:
+        xs = [x0 + (x1 - x0) * s for s in steps]
+        return [plan.rectangle(a, y0, b, y1) for a, b in zip(xs[:-1], xs[1:], strict=True)]
+    ys = [y0 + (y1 - y0) * s for s in steps]
+    return [plan.rectangle(x0, a, x1, b) for a, b in zip(ys[:-1], ys[1:], strict=True)]
 
 
 def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
