@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from engine.table.furniture import BallId, Point  # noqa: TC001  the alias below needs them
+from engine.table.furniture import BallId, Point
 
 if TYPE_CHECKING:
     from engine.table.furniture import Table
@@ -90,7 +90,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "solver": ("stepwise", "corrective", "preemptive"),
         "motion": ("slide-roll", "two-speed"),
         "ball_ball": ("frictional", "elastic"),
-        "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
+        "ball_cushion": ("han-2005", "restitution"),
         "strike": ("point",),
         "pocket": ("drop-edge",),
     }

@@ -37,15 +37,15 @@ class RangeError(ValueError):
 
 
 def names_in(written: str) -> list[str]:
-    """Return the names in "red-1..red-15", or the one name that is no range."""
+    """Return the names in "disc-1..disc-6", or the one name that is no range."""
     if ".." not in written:
         if not _NAME.fullmatch(written):
-            raise RangeError("V107", f"`{written[:60]}` is not kebab-case", "as in `red-1`")
+            raise RangeError("V107", f"`{written[:60]}` is not kebab-case", "as in `corner-1`")
         return [written]
     match = _RANGE.fullmatch(written)
     if match is None or match.group(1) != match.group(3):
         message = f"`{written[:60]}` is no range of balls"
-        raise RangeError("V109", message, 'write "1..15" or "red-1..red-15"')
+        raise RangeError("V109", message, 'write "1..15" or "disc-1..disc-6"')
     first, last = int(match.group(2)), int(match.group(4))
     if not 0 <= last - first < _MOST:
         message = f"`{written}` holds no ball or more than {_MOST}"
