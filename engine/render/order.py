@@ -9,6 +9,8 @@ broken at the farthest part.
 import numpy as np
 from numba import njit
 
+from engine.render.outline import apart
+
 
 TOUCH = -1e-6
 """Parts may share a border; a gap above this is a border (m)."""
@@ -149,26 +151,6 @@ def sphere_in_front(points, planes, starts, part, centre, eye):
 
 
 @njit(cache=True, nogil=True)
-def part_boxes(points, screen, starts, traits, faces_from, normals, offsets, eye, boxes, shown):
-    """Write each part's box on the screen, and whether it has a face turned to the eye."""
-    for p in range(len(traits)):
-        low_x, high_x, low_y, high_y = 1e30, -1e30, 1e30, -1e30
-        for i in range(starts[p, 0], starts[p + 1, 0]):
-            if screen[i, 2] <= 0.0:
-                low_x, high_x, low_y, high_y = -1e30, 1e30, -1e30, 1e30
-                break
-            low_x, high_x = min(low_x, screen[i, 0]), max(high_x, screen[i, 0])
-            low_y, high_y = min(low_y, screen[i, 1]), max(high_y, screen[i, 1])
-        boxes[p, 0], boxes[p, 1], boxes[p, 2], boxes[p, 3] = low_x, low_y, high_x, high_y
-        shown[p] = False
-        for f in range(starts[p, 2], starts[p + 1, 2]):
-            n = normals[f]
-            if n[0] * eye[0] + n[1] * eye[1] + n[2] * eye[2] > offsets[f]:
-                shown[p] = True
-                break
-
-
-@njit(cache=True, nogil=True)
 def hides(i, j, fixed, points, planes, starts, traits, face_normals, table, centres, eye, best):
     """Return 1 where item i may hide item j, -1 the other way; parts count before spheres."""
     parts = len(traits)
@@ -193,7 +175,7 @@ def hides(i, j, fixed, points, planes, starts, traits, face_normals, table, cent
 
 @njit(cache=True, nogil=True)
 def sort_items(
-    chosen, boxes, far, fixed, points, planes, starts, traits, face_normals, table, centres, eye,
+    chosen, boxes, outlines, spans, far, fixed, points, planes, starts, traits, face_normals, table, centres, eye,
     order,
 ):
     """Write `chosen` items to `order` so that what may hide comes after what it hides.
@@ -213,6 +195,8 @@ def sort_items(
                 boxes[i, 0] > boxes[j, 2] or boxes[j, 0] > boxes[i, 2]
                 or boxes[i, 1] > boxes[j, 3] or boxes[j, 1] > boxes[i, 3]
             ):
+                continue
+            if apart(outlines, spans, i, j) or apart(outlines, spans, j, i):
                 continue
             if hides(
                 i, j, fixed, points, planes, starts, traits, face_normals, table, centres, eye, best

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.render import line_kernels, order, painter_kernels, raster, shading
+from engine.render import line_kernels, order, outline, painter_kernels, raster, shading
 from engine.render.image import Canvas, Picture
-from engine.render.pack import Pack, Packer, Spheres, UnitSpheres, View, join, lines_of, view_of
+from engine.render.pack import Pack, Packer, UnitSpheres, View, join, lines_of, view_of
 from engine.render.scanline import discs_of, lamps_of, shade_background
 
 if TYPE_CHECKING:
@@ -119,32 +119,34 @@ class _Frame:
             pack.face_centres, pack.face_normals, pack.face_colours, pack.face_light, view.eye,
             self.lamps, scene.ambient, self.shades,
         )
-        depths = (self.spheres.centres - view.eye) @ view.basis[2]
-        across = self.spheres.radii * view.focal / np.maximum(depths, view.near)
         self.units = painter.units.of(self.spheres, view)
-        self.parts_below, self.items = self._sort(fixed, table, depths, across)
+        self.parts_below, self.items = self._sort(fixed, table)
 
     def _sort(
         self,
         fixed: int,
         table: NDArray[np.float64],
-        depths: NDArray[np.float64],
-        across: NDArray[np.float64],
     ) -> tuple[list[list[int]], NDArray[np.int32]]:
         """Return the parts of layers 0 and 1, and the order of parts and spheres above."""
         pack, view, s = self.pack, self.view, self.spheres
         parts = pack.parts
         boxes = np.zeros((parts + len(s.radii), 4))
+        spans = np.zeros(parts + len(s.radii) + 1, np.int64)
+        outlines = np.zeros((4 * len(pack.triangles) + 20 * len(s.radii) + 8, 2))
         shown = np.zeros(parts, np.bool_)
-        order.part_boxes(
-            pack.points, self.screen, pack.starts, pack.traits, pack.starts,
-            pack.face_normals, pack.face_offsets, view.eye, boxes, shown,
+        wide, tall = view.size
+        outline.part_outlines(
+            self.seen, self.screen, pack.triangles, pack.faces, pack.face_normals,
+            pack.face_offsets, pack.starts, pack.traits, view.eye, view.focal, view.near,
+            float(wide), float(tall), boxes, outlines, spans, shown,
         )
-        boxes[parts:] = _sphere_boxes(s, view, depths, across)
+        outline.sphere_outlines(
+            parts, s.centres, s.radii, view.eye, view.basis, view.focal, view.near, float(wide),
+            float(tall), boxes, outlines, spans,
+        )
         layers = pack.traits[:, 1]
         below = [[int(p) for p in np.flatnonzero(shown & (layers == k))] for k in (0, 1)]
         high = s.centres[:, 2] > 0.0 if len(s.radii) else np.zeros(0, np.bool_)
-        wide, tall = view.size
         inside = (
             (boxes[:, 2] > 0.0) & (boxes[:, 0] < wide) & (boxes[:, 3] > 0.0) & (boxes[:, 1] < tall)
         )
@@ -155,7 +157,7 @@ class _Frame:
         far = ((places - view.eye) ** 2).sum(axis=1)
         result = np.zeros(len(chosen), np.int32)
         order.sort_items(
-            chosen, boxes, far, fixed, pack.points, pack.planes, pack.starts, pack.traits,
+            chosen, boxes, outlines, spans, far, fixed, pack.points, pack.planes, pack.starts, pack.traits,
             pack.face_normals, table, s.centres, view.eye, result,
         )
         return below, result
@@ -208,15 +210,3 @@ class _Frame:
             int(offset), int(size), view.eye, view.basis, view.focal, view.near, self.lamps,
             self.scene.ambient,
         )
-
-
-def _sphere_boxes(
-    spheres: Spheres, view: View, depths: NDArray[np.float64], across: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return boxes that hold the spheres on the screen, with room to spare."""
-    away = spheres.centres - view.eye
-    safe = np.maximum(depths, view.near)
-    x = view.size[0] / 2.0 + view.focal * (away @ view.basis[0]) / safe
-    y = view.size[1] / 2.0 + view.focal * (away @ view.basis[1]) / safe
-    reach = across * safe / np.maximum(safe - spheres.radii, view.near) * 1.3 + 2.0
-    return np.stack([x - reach, y - reach, x + reach, y + reach], axis=1)
