@@ -1,0 +1,97 @@
+"""Documents that are made from the program: `python -m tools.docs` writes, `--check` compares.
+
+One idea: a document holds marked blocks, `<!-- made: NAME -->` to `<!-- end -->`; each block is
+made anew by one function, so that what can be wrong is never written by hand.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+ROOT = Path(__file__).resolve().parent.parent
+BLOCK = re.compile(r"(<!-- made: ([a-z-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def _table(codes: Mapping[str, str]) -> str:
+    rows = "\n".join(f"| {code} | {text} |" for code, text in codes.items())
+    return f"| code | meaning |\n|---|---|\n{rows}\n"
+
+
+def variant_codes() -> str:
+    """Return the table of mistakes in variant files."""
+    from engine.variant.codes import CODES  # noqa: PLC0415
+
+    return _table(CODES)
+
+
+def record_codes() -> str:
+    """Return the table of mistakes in records."""
+    from engine.records.codes import CODES  # noqa: PLC0415
+
+    return _table(CODES)
+
+
+def script_codes() -> str:
+    """Return the table of mistakes in scripts."""
+    from rulelang.codes import CODES  # noqa: PLC0415
+
+    return _table(CODES)
+
+
+def commands() -> str:
+    """Return what every command says of itself."""
+    from engine.__main__ import main  # noqa: PLC0415
+
+    context = click.Context(main, info_name="python -m engine")
+    parts = []
+    for name in main.list_commands(context):
+        command = main.commands[name]
+        inner = click.Context(command, info_name=name, parent=context)
+        parts.append(f"### {name}\n\n```\n{command.get_help(inner)}\n```\n")
+    return "\n" + "\n".join(parts)
+
+
+MAKERS: Mapping[str, Callable[[], str]] = {
+    "variant-codes": variant_codes,
+    "record-codes": record_codes,
+    "script-codes": script_codes,
+    "commands": commands,
+}
+
+
+def remade(text: str) -> str:
+    """Return a document with every marked block made anew."""
+    return BLOCK.sub(lambda found: found[1] + MAKERS[found[2]]() + found[3], text)
+
+
+def main() -> int:
+    """Write or check all documents; return 1 where a checked one is stale."""
+    parser = argparse.ArgumentParser(prog="python -m tools.docs", description=__doc__)
+    parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    check = parser.parse_args().check
+    stale = []
+    for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        if not path.exists():
+            continue
+        text = path.read_text(encoding="utf-8")
+        fresh = remade(text)
+        if fresh != text:
+            stale.append(path.relative_to(ROOT))
+            if not check:
+                path.write_text(fresh, encoding="utf-8")
+    for path in stale:
+        print(f"{path}: {'stale, run python -m tools.docs' if check else 'written'}")
+    return int(check and bool(stale))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
