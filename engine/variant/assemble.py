@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from engine.physics.world import Ball
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import BallShape, VariantSpec
+    from engine.variant.spec import BallShape, SettingShape, VariantSpec
     from engine.variant.variant import BallKind, Rack
 
 
@@ -156,8 +156,23 @@ def _settings(spec: VariantSpec, report: Report) -> Mapping[str, Setting]:
             shown = ", ".join(str(choice) for choice in shape.choices)
             message = f"the default {shape.default!r} is not among the choices"
             report.add("V502", (*path, "default"), message, f"choose one of {shown}")
-        found[name] = Setting(name, shape.default, tuple(shape.choices), shape.about)
+        elif not _within(shape):
+            message = f"the default {shape.default!r} is not a number from least to most"
+            report.add("V502", (*path, "default"), message, "write least <= default <= most")
+        found[name] = Setting(
+            name, shape.default, tuple(shape.choices), shape.about, shape.least, shape.most
+        )
     return MappingProxyType(found)
+
+
+def _within(shape: SettingShape) -> bool:
+    if shape.least is None and shape.most is None:
+        return True
+    if isinstance(shape.default, bool) or not isinstance(shape.default, int):
+        return False
+    low = shape.default if shape.least is None else shape.least
+    high = shape.default if shape.most is None else shape.most
+    return low <= shape.default <= high
 
 
 def _models(spec: VariantSpec, report: Report) -> Models:

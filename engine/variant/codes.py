@@ -43,7 +43,7 @@ CODES = MappingProxyType(
         "V407": "places and balls of the rack that do not match in number",
         "V408": "a zone that holds no place on the bed",
         "V501": "numbers of players that contradict each other",
-        "V502": "a setting whose default is not among its choices",
+        "V502": "a setting whose default is not among its choices or outside its bounds",
         "V503": "cue balls that do not fit the number of players",
     }
 )

@@ -37,7 +37,7 @@ def shipped_folder() -> Path:
 
 
 def resolve(name_or_path: str | Path) -> Path:
-    """Return the file of a variant named by stem or by path.
+    """Return the file of a variant named by path, or by the stem of a shipped or a near file.
 
     Raises VariantError, with near names, where there is none.
     """
@@ -46,6 +46,7 @@ def resolve(name_or_path: str | Path) -> Path:
     named = isinstance(name_or_path, str) and _STEM.fullmatch(written) is not None
     if named:
         path = shipped_folder() / f"{written}.toml"
+        path = path if path.is_file() else Path(f"{written}.toml")
     try:
         if path.is_file():
             return path

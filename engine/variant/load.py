@@ -30,11 +30,10 @@ from engine.variant.words import vocabulary_of
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from rulelang.program import Program
-
     from engine.variant.locate import KeyPath
     from engine.variant.source import Node
     from rulelang.diagnostics import Diagnostic
+    from rulelang.program import Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +67,7 @@ def load_variant(name_or_path: str | Path) -> Variant:
     draft, script, program = reading.draft, reading.script, reading.program
     wrong = [one for one in reading.diagnostics if one.severity == "error"]
     if wrong or draft is None or script is None or program is None:
-        raise VariantError(reading.diagnostics)
+        raise VariantError(_in_order(reading))
     return Variant(
         name=reading.path.stem,
         title=draft.spec.title,
@@ -95,7 +94,7 @@ def check_variant(name_or_path: str | Path) -> list[Diagnostic]:
         path = resolve(name_or_path)
     except VariantError as error:
         return list(error.diagnostics)
-    return _read(path, with_script=True).diagnostics
+    return _in_order(_read(path, with_script=True))
 
 
 def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]]:
@@ -104,7 +103,15 @@ def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]
     Raises VariantError where the variant cannot be found at all.
     """
     reading = _read(resolve(name_or_path), with_script=False)
-    return reading.draft, reading.diagnostics
+    return reading.draft, _in_order(reading)
+
+
+def _in_order(reading: _Reading) -> list[Diagnostic]:
+    """Return the mistakes of the variant's own file first, each file's from the top down."""
+    own = str(reading.path)
+    return sorted(
+        reading.diagnostics, key=lambda one: (one.file != own, one.file, one.line, one.column)
+    )
 
 
 def list_variants() -> list[Listing]:
@@ -174,8 +181,6 @@ def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
 
 
 def _read_script(reading: _Reading, draft: Draft, report: Report) -> None:
-    from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
-
     stem = draft.spec.rules or reading.path.stem
     reading.script = find_script(stem, reading.path.parent)
     if reading.script is None:
@@ -186,6 +191,8 @@ def _read_script(reading: _Reading, draft: Draft, report: Report) -> None:
     if not isinstance(text, str):
         reading.diagnostics += text
         return
+    from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
+
     vocabulary = vocabulary_of(draft)
     home = reading.path.parent
     made = compile_script(

@@ -230,6 +230,8 @@ class SettingShape(Shape):
 
     default: Value
     choices: list[Value] = []
+    least: int | None = None
+    most: int | None = None
     about: str = ""
 
 

@@ -12,10 +12,9 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    from rulelang.program import Program
-
     from engine.physics.world import World
     from engine.table.furniture import BallId, Point, SpotId
+    from rulelang.program import Program
 
 Colour = tuple[int, int, int]
 """Red, green, blue, 0 to 255."""
@@ -65,12 +64,17 @@ class Rack:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """A house rule that a script may read and a player may set."""
+    """A house rule that a script may read and a player may set.
+
+    `least` and `most` bound a number, both included.
+    """
 
     name: str
     default: Value
     choices: tuple[Value, ...] = ()
     about: str = ""
+    least: int | None = None
+    most: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

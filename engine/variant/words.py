@@ -7,34 +7,16 @@ not there.
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from rulelang.vocabulary import BallName, Vocabulary
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from engine.physics.world import World
-    from engine.table.furniture import BallId
-    from engine.variant.variant import BallKind, Setting
+    from engine.variant.assemble import Draft
+    from engine.variant.variant import Variant
 
 
-class Furnished(Protocol):
-    """A variant, with its rules or still without."""
-
-    @property
-    def world(self) -> World: ...
-    @property
-    def balls(self) -> tuple[BallKind, ...]: ...
-    @property
-    def cue_balls(self) -> tuple[BallId, ...]: ...
-    @property
-    def players(self) -> tuple[int, int, int]: ...
-    @property
-    def settings(self) -> Mapping[str, Setting]: ...
-
-
-def vocabulary_of(variant: Furnished) -> Vocabulary:
+def vocabulary_of(variant: Variant | Draft) -> Vocabulary:
     """Return the names of a variant's balls, furniture and settings."""
     table = variant.world.table
     settings = {name: setting.default for name, setting in variant.settings.items()}

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.variant.library import VariantError, open_variant, resolve, shipped_folder
-from engine.variant.load import list_variants, read_draft
+from engine.variant.load import check_variant, list_variants, load_variant, read_draft
 from engine.variant.rack import lay_rack
 
 BASE = """\
@@ -224,6 +224,28 @@ def test_balls_of_a_rack_with_a_lot_of_named_balls(tmp_path):
     assert layout["9"] == pytest.approx((0.635, 0))
     assert layout["1"][0] == pytest.approx(0.635 - 0.05815 * 3**0.5)
     assert layout["7"][0] == pytest.approx(0.635 + 1.5 * 0.05815 * 3**0.5)
+
+
+def test_a_variant_without_a_script_is_told_where_to_write_it(tmp_path):
+    path = write(tmp_path, "mine.toml", BASE)
+    (one,) = check_variant(path)
+    assert one.code == "V204"
+    assert "mine.rules" in one.mend
+    with pytest.raises(VariantError, match="V204"):
+        load_variant(path)
+
+
+def test_mistakes_come_in_the_order_of_the_file(tmp_path):
+    path = write(tmp_path, "mine.toml", BASE.replace('"House rules"', "1") + "x = 1\ny = 2\n")
+    lines = [one.line for one in check_variant(path)]
+    assert lines == sorted(lines)
+    assert len(lines) == 3
+
+
+def test_a_file_of_the_folder_one_stands_in_is_found_by_stem(tmp_path, monkeypatch):
+    write(tmp_path, "mine.toml", BASE)
+    monkeypatch.chdir(tmp_path)
+    assert resolve("mine").name == "mine.toml"
 
 
 def test_the_shipped_folder_is_listed_from_anywhere(tmp_path, monkeypatch):
