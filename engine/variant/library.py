@@ -19,7 +19,7 @@ from rulelang.diagnostics import Diagnostic, render
 PARTS = MappingProxyType({"table": "tables", "balls": "balls", "cloth": "cloths"})
 """The parts that several variants may share, and the folder each lives in."""
 
-_STEM = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*")
+_STEM = re.compile(r"(?=.{1,60}$)[a-z0-9]+([-_][a-z0-9]+)*")
 _LONGEST_CHAIN = 16
 
 
@@ -54,9 +54,9 @@ def resolve(name_or_path: str | Path) -> Path:
     except (OSError, ValueError):
         reason = "this is no path of a file"
     known = [one.stem for one in sorted(shipped_folder().glob("*.toml"))]
-    message = f"no variant `{written}`: {reason}"
-    mend = nearest(path.stem, known)
-    raise VariantError([Diagnostic("V001", written, 1, 1, message, mend)])
+    message = f"no variant `{written[:80]}`: {reason}"
+    mend = nearest(path.stem[:80], known)
+    raise VariantError([Diagnostic("V001", written[:80], 1, 1, message, mend)])
 
 
 @dataclass(frozen=True, slots=True)
