@@ -1,0 +1,1 @@
+"""How balls move, meet and stop."""

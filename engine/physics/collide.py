@@ -71,10 +71,10 @@ def scale_spin(ball: Floats, factor: float) -> None:
 
 
 @njit(cache=True, error_model="numpy")
-def rub(
+def find_rub(
     one: Floats, two: Floats, world: Floats, nx: float, ny: float, pressed: float, share: float
-) -> None:
-    """Apply the friction that goes with a normal impulse `pressed` (N s) along (nx, ny).
+) -> tuple[float, float]:
+    """Return the friction impulse (N s) across and up that goes with a normal one `pressed`.
 
     `share` (at most 1) is the part of the stopping impulse that may act.
     """
@@ -86,9 +86,14 @@ def rub(
     upward = wx * ny - wy * nx
     slip = sqrt(along * along + upward * upward)
     if slip <= 1e-15:
-        return
+        return 0.0, 0.0
     impulse = min(friction(world, slip) * pressed, share * slip * reduced / 3.5)
-    across, up = -impulse * along / slip, -impulse * upward / slip
+    return -impulse * along / slip, -impulse * upward / slip
+
+
+@njit(cache=True, error_model="numpy")
+def give_rub(one: Floats, two: Floats, nx: float, ny: float, across: float, up: float) -> None:
+    """Apply a friction impulse (N s) to both balls; what goes up turns but does not lift."""
     one[VX] -= across * ny / one[MASS]
     one[VY] += across * nx / one[MASS]
     two[VX] += across * ny / two[MASS]
@@ -122,7 +127,8 @@ def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
     two[VX] += impulse * nx / two[MASS]
     two[VY] += impulse * ny / two[MASS]
     if world[G_BALL_BALL] != ELASTIC:
-        rub(one, two, world, nx, ny, impulse, 1.0)
+        across, up = find_rub(one, two, world, nx, ny, impulse, 1.0)
+        give_rub(one, two, nx, ny, across, up)
     return speed
 
 
@@ -141,4 +147,12 @@ def _rest_apart(one: Floats, two: Floats, speed: float, reduced: float) -> float
     return KICK
 
 
-__all__ = ["closing_speed", "friction", "rub", "scale_spin", "spin_energy", "strike_apart"]
+__all__ = [
+    "closing_speed",
+    "find_rub",
+    "friction",
+    "give_rub",
+    "scale_spin",
+    "spin_energy",
+    "strike_apart",
+]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from engine.physics.world import Ball, Layout, World
-    from engine.table.furniture import BallId, CushionId, Curve, Point, PocketId, Shape, Table
+    from engine.table.furniture import BallId, Curve, CushionId, PocketId, Point, Shape, Table
 
 MOTIONS = {"slide-roll": state.SLIDE_ROLL, "two-speed": state.TWO_SPEED}
 BALL_BALLS = {"elastic": state.ELASTIC, "frictional": state.FRICTIONAL}

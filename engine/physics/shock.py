@@ -1,9 +1,9 @@
 """A blow that runs through balls that touch each other: a local compliant step.
 
 One idea: inside a frozen cluster one impulse after the other depends on the order, so all contacts
-push at once, as Hertz springs F = K d^1.5, whose unloading is weaker by e^2 (restitution as energy).
-First with the balls' tiny way counted, then with the normals as they lie, until no touching pair
-nears. Places and the clock stand still meanwhile (a blow lasts some 0.3 ms and moves a ball by
+push at once, as Hertz springs F = K d^1.5, weaker by e^2 when they unload (Walton & Braun 1986).
+First with the balls' tiny way counted, then with the normals as they lie, until no touching
+pair nears. Places and the clock stand still meanwhile (a blow lasts some 0.3 ms and moves a ball by
 less than 1 mm). Invariant: momentum is exact, energy is never gained, no label matters.
 """
 
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
-from engine.physics.collide import rub
+from engine.physics.collide import find_rub, give_rub
 from engine.physics.state import (
     ELASTIC,
     G_BALL_BALL,
@@ -45,8 +45,10 @@ TOUCH = 2e-6
 NEARBY = 1e-3
 STEPS = 150
 
-C_A, C_B, C_LENGTH, C_NX, C_NY, C_PUSH, C_ORDER, C_SPEED, C_FROZEN = range(9)
-CONTACT_WIDTH = 9
+(C_A, C_B, C_LENGTH, C_NX, C_NY, C_ORDER, C_SPEED, C_FROZEN, C_UX, C_UY, C_ACROSS, C_UP) = range(12)
+CONTACT_WIDTH = 12
+"""Two balls, the length at which they touch, their normal as they lie; when the blow came and how
+fast they neared; whether they touch; and of this step the normal and the friction impulse."""
 
 
 @njit(cache=True, error_model="numpy")
@@ -112,7 +114,7 @@ def _contacts(balls: Floats, members: Ints, count: int, contacts: Floats) -> int
             row[C_A], row[C_B], row[C_NX], row[C_NY] = members[p], members[q], x / reach, y / reach
             row[C_FROZEN] = 1.0 if gap <= TOUCH else 0.0
             row[C_LENGTH] = reach if gap <= TOUCH else reach - gap
-            row[C_PUSH] = row[C_ORDER] = row[C_SPEED] = 0.0
+            row[C_ORDER] = row[C_SPEED] = 0.0
             total += 1
     return total
 
@@ -200,37 +202,34 @@ def _push(
         active = True
         nearing = _nearing(balls, row, nx, ny)
         row[C_SPEED] = max(row[C_SPEED], nearing)
+        row[C_UX], row[C_UY] = nx, ny
         part = 1.0 if nearing > 0.0 else world[G_E] * world[G_E]
         force[c] = part * STIFFNESS * depth * sqrt(depth)
+    rubs = world[G_BALL_BALL] != ELASTIC
+    for c in range(contacts.shape[0]):
+        if force[c] > 0.0 and rubs:
+            row = contacts[c]
+            one, two = balls[int(row[C_A])], balls[int(row[C_B])]
+            row[C_ACROSS], row[C_UP] = find_rub(
+                one, two, world, row[C_UX], row[C_UY], force[c] * step, 0.15
+            )
     for c in range(contacts.shape[0]):
         if force[c] > 0.0:
-            _give(balls, world, contacts[c], way, force[c] * step, moving)
+            _give(balls, contacts[c], force[c] * step, rubs)
     return active
 
 
 @njit(cache=True, error_model="numpy")
-def _give(
-    balls: Floats,
-    world: Floats,
-    row: Floats,
-    way: Floats,
-    impulse: float,
-    moving: bool,  # noqa: FBT001  a kernel
-) -> None:
-    a, b = int(row[C_A]), int(row[C_B])
-    one, two = balls[a], balls[b]
-    nx, ny = row[C_NX], row[C_NY]
-    if moving:
-        x, y = two[X] - one[X] + way[b, 0] - way[a, 0], two[Y] - one[Y] + way[b, 1] - way[a, 1]
-        reach = sqrt(x * x + y * y)
-        nx, ny = x / reach, y / reach
-    row[C_PUSH] += impulse
+def _give(balls: Floats, row: Floats, impulse: float, rubs: bool) -> None:  # noqa: FBT001
+    """Apply one contact's impulses, all of which were found before any is applied."""
+    one, two = balls[int(row[C_A])], balls[int(row[C_B])]
+    nx, ny = row[C_UX], row[C_UY]
     one[VX] -= impulse * nx / one[MASS]
     one[VY] -= impulse * ny / one[MASS]
     two[VX] += impulse * nx / two[MASS]
     two[VY] += impulse * ny / two[MASS]
-    if world[G_BALL_BALL] != ELASTIC:
-        rub(one, two, world, nx, ny, impulse, 0.15)
+    if rubs:
+        give_rub(one, two, nx, ny, row[C_ACROSS], row[C_UP])
 
 
 @njit(cache=True, error_model="numpy")

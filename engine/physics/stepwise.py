@@ -291,6 +291,7 @@ def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: fl
 def note(
     events: Floats, counts: Ints, kind: int, now: float, first: int, second: float, speed: float
 ) -> None:
+    """Write one event into the log."""
     row = events[counts[EVENTS]]
     row[E_KIND], row[E_TIME], row[E_FIRST] = kind, now, first
     row[E_SECOND], row[E_SPEED] = second, speed
@@ -307,6 +308,7 @@ def drop(
     who: int,
     now: float,
 ) -> None:
+    """Take a ball off the bed where it is."""
     move(balls, kinds, world, pieces, counts, who, now)
     kinds[who] = GONE
     ball = balls[who]
@@ -405,6 +407,7 @@ def _gather_now(
 
 @njit(cache=True, error_model="numpy")
 def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
+    """Return the two with the faster along the line of centres first."""
     nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
     mine = abs(balls[one, VX] * nx + balls[one, VY] * ny)
     yours = abs(balls[two, VX] * nx + balls[two, VY] * ny)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from engine.physics.events import Event
     from engine.physics.pack import Owner
     from engine.physics.world import Ball, Layout
-    from engine.table.furniture import BallId, Point, PocketId
+    from engine.table.furniture import BallId, PocketId, Point
 
     Floats = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ class Trace:
         """Return the velocities (T, n, 3) in m/s."""
         at, rows, s = self._find(times)
         out = np.zeros((len(at), len(self.balls), 3))
-        moving = (at[:, None] < self._ends()[None, :]) | (s == 0.0)
+        moving = at[:, None] <= self._ends()[None, :]
         out[..., 0] = rows[..., state.P_VX] + s * rows[..., state.P_AX]
         out[..., 1] = rows[..., state.P_VY] + s * rows[..., state.P_AY]
         return np.where(moving[..., None], out, 0.0)
@@ -74,7 +74,7 @@ class Trace:
         """Return the angular velocities (T, n, 3) in rad/s."""
         at, rows, s = self._find(times)
         out = np.zeros((len(at), len(self.balls), 3))
-        moving = (at[:, None] < self._ends()[None, :]) | (s == 0.0)
+        moving = at[:, None] <= self._ends()[None, :]
         out[..., 0] = rows[..., state.P_WX] + s * rows[..., state.P_BX]
         out[..., 1] = rows[..., state.P_WY] + s * rows[..., state.P_BY]
         side = rows[..., state.P_WZ]

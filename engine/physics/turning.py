@@ -7,6 +7,7 @@ at piece bounds and where side spin ceases. Invariant: every matrix is a rotatio
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -65,8 +66,7 @@ def _cuts(row: Floats, rate: float, times: Floats) -> Floats:
     base = np.unique(np.concatenate([[start, end], inside, asked]))
     fastest = max(np.linalg.norm(_spin(row, rate, np.array([start, end])), axis=1))
     pieces = [
-        np.linspace(a, b, max(int((b - a) * fastest / STEP), 0) + 2)[:-1]
-        for a, b in zip(base[:-1], base[1:], strict=True)
+        np.linspace(a, b, max(int((b - a) * fastest / STEP), 0) + 2)[:-1] for a, b in pairwise(base)
     ]
     return np.concatenate([*pieces, [end]]) if end > start else base[:1]
 

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from math import cos, hypot, isfinite, pi, sin, tan
 
 from engine.table.furniture import (
+    Curve,
     Cushion,
     CushionId,
-    Curve,
     Jaw,
-    Point,
     Pocket,
     PocketId,
+    Point,
     Shape,
     Straight,
     Table,
