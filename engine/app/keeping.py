@@ -1,0 +1,84 @@
+"""What is kept on disk: the journal of the match, and shots saved as records.
+
+One idea: the keeper follows the match; whatever the match became, by a shot, an undo or a new
+game, the journal tells it. Invariant: a shot is on disk before the next one can be played.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from engine.records.journal import Journal
+from engine.records.write import save_shot_record
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from engine.game.match import Match
+
+
+@dataclass(slots=True)
+class Keeper:
+    """Keeps the journal of a match at `path`, and shots in `folder`."""
+
+    path: Path
+    folder: Path
+    _journal: Journal | None = None
+    _known: Match | None = None
+
+    def start(self, match: Match) -> None:
+        """Begin the journal with the shots that a match has already."""
+        self._journal, self._known = Journal.begin(self.path, match), match
+
+    def carry_on(self, match: Match) -> None:
+        """Go on with a journal that holds this match already."""
+        self._journal, self._known = Journal(self.path), match
+
+    def follow(self, match: Match) -> None:
+        """Write down what changed since the match was seen last."""
+        known, self._known = self._known, match
+        if self._journal is None or known is None:
+            return
+        shared = _shared(known, match)
+        if match.seed != known.seed or shared is None:
+            self.path = _later(self.path)
+            self._journal = Journal.begin(self.path, match)
+            return
+        for _ in known.played[shared:]:
+            self._journal.undo()
+        for played in match.played[shared:]:
+            self._journal.append(played)
+
+    def save_shot(self, match: Match) -> str:
+        """Save the last shot as a record; return what to tell the player."""
+        if not match.played:
+            return "there is no shot to save yet"
+        now = datetime.now(tz=UTC).strftime("%Y%m%d-%H%M%S")
+        path = self.folder / f"{match.variant.name}-{now}-shot-{len(match.played)}.toml"
+        try:
+            save_shot_record(path, match)
+        except OSError as trouble:
+            return f"the shot could not be saved: {trouble}"
+        return f"saved {path}"
+
+
+def _shared(one: Match, two: Match) -> int | None:
+    """Return how many shots two states of a match share; None where they are not the same."""
+    count = 0
+    for a, b in zip(one.played, two.played, strict=False):
+        if a is not b:
+            break
+        count += 1
+    if count == 0 and one.played and two.played:
+        return None
+    return count
+
+
+def _later(path: Path) -> Path:
+    """Return a name beside `path` for the next game's journal."""
+    number = 2
+    while (later := path.with_name(f"{path.stem}-{number}{path.suffix}")).exists():
+        number += 1
+    return later

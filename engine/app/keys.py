@@ -1,0 +1,89 @@
+"""Every key of the game, as data: what it does, in which words, and how it is named.
+
+One idea: this table is the only place that knows a key; the help page, the documentation and
+the controls read it. Invariant: an action has one name, and no key does two things at once in
+one mode.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """An action with the keys (by SDL's names, lower case) that ask for it."""
+
+    action: str
+    keys: tuple[str, ...]
+    shown: str
+    about: str
+    group: str
+    takes: str = ""
+    """The modifier that changes it, "shift" where shift makes it fine."""
+
+
+AIM, TABLE, SAY, VIEW, GAME = "Aiming", "Placing the ball", "Calls and choices", "View", "Game"
+
+BINDINGS: tuple[Binding, ...] = (
+    Binding("turn", ("left", "right"), "Left / Right", "turn the aim", AIM, "shift"),
+    Binding("power", ("up", "down"), "Up / Down", "strike harder, softer", AIM, "shift"),
+    Binding("spin", ("w", "a", "s", "d"), "W A S D", "move the tip on the ball", AIM, "shift"),
+    Binding("centre", ("x",), "X", "tip back to the centre, cue level", AIM),
+    Binding("elevate", ("e", "q"), "E / Q", "raise, lower the butt of the cue", AIM, "shift"),
+    Binding("aid", ("t",), "T", "aiming aid: off, line, ghost ball, all paths", AIM),
+    Binding("confirm", ("space", "return", "enter"), "Space, Enter", "strike; accept; go on", AIM),
+    Binding("move", ("left", "right", "up", "down"), "Arrows", "move the ball", TABLE, "shift"),
+    Binding("back", ("b", "backspace"), "B", "back to the placing or the call", TABLE),
+    Binding("ball", ("tab",), "Tab", "call the next ball (with Shift: the one before)", SAY),
+    Binding("pocket", ("p",), "P", "call the next pocket (with Shift: the one before)", SAY),
+    Binding("safety", ("o",), "O", "call a safety, or take it back", SAY),
+    Binding("group", ("g",), "G", "call a group, or the next one", SAY),
+    Binding("pick", ("up", "down"), "Up / Down", "go through the choices", SAY),
+    Binding(
+        "choose",
+        ("1", "2", "3", "4", "5", "6", "7", "8", "9"),
+        "Shift + 1 to 9",
+        "take a choice by its number",
+        SAY,
+    ),
+    Binding("why", ("h",), "H", "the referee's full explanation", SAY),
+    Binding("wireframe", ("1",), "1", "draw as a wireframe", VIEW),
+    Binding("painter", ("2",), "2", "draw by the painter's algorithm", VIEW),
+    Binding("scanline", ("3",), "3", "draw by scanlines with a z-buffer", VIEW),
+    Binding("camera", ("c",), "C", "camera: from the cue, from above, free orbit", VIEW),
+    Binding("orbit", (",", "."), ", / .", "turn the free camera", VIEW, "shift"),
+    Binding("tilt", ("page up", "page down"), "PgUp / PgDn", "raise, lower the camera", VIEW),
+    Binding("zoom", ("=", "-"), "+ / -", "nearer, farther (also the mouse wheel)", VIEW),
+    Binding("text", ("f3",), "F3", "size of the text", VIEW),
+    Binding("help", ("f1",), "F1", "this page", GAME),
+    Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),
+    Binding("undo", ("u",), "U", "take the last shot back", GAME),
+    Binding("redo", ("y",), "Y", "play the shot taken back again", GAME),
+    Binding("replay", ("r",), "R", "see the last shot again (with Shift: slowly)", GAME),
+    Binding("fast", ("f",), "F", "skip to the end while balls roll", GAME),
+    Binding("next", ("n",), "N", "next game, when one is over", GAME),
+    Binding("menu", ("escape",), "Esc", "close a page; menu and quit", GAME),
+)
+
+MOUSE: tuple[tuple[str, str], ...] = (
+    ("Left click on the cloth", "aim there; place the ball there; call that ball or pocket"),
+    ("Left drag", "turn the aim"),
+    ("Right drag back, let go", "draw the cue back and strike"),
+    ("Middle drag", "turn the free camera"),
+    ("Wheel", "zoom; scroll a page"),
+    ("Click the gauges", "power, tip on the ball, raised cue"),
+)
+
+
+def binding(action: str) -> Binding:
+    """Return the binding of an action; raises KeyError for an action that does not exist."""
+    for one in BINDINGS:
+        if one.action == action:
+            return one
+    raise KeyError(action)
+
+
+def groups() -> tuple[str, ...]:
+    """Return the groups in the order of the help page."""
+    return tuple(dict.fromkeys(one.group for one in BINDINGS))

@@ -1,0 +1,201 @@
+"""The game loop: read the hands, change the session, draw, wait for the next frame.
+
+One idea: a frame is a function of the time that has passed; the rate and slow frames change how
+smooth it looks and never what happens.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import pygame
+
+from engine.app import commands
+from engine.app.controls import Ask, Controls, Screen
+from engine.app.hud import Hud, scale_for
+from engine.app.inputs import CloseAsked, Input
+from engine.app.overlay import draw_called
+from engine.app.pages import Page, draw_page
+from engine.app.pen import FAINT, GOLD, TEXT, Pen
+from engine.app.session import Mode, act, pass_time
+from engine.app.view import View, camera_of, stroke_seen
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from engine.app.controls import Wish
+    from engine.app.inputs import InputEvent
+    from engine.app.keeping import Keeper
+    from engine.app.session import Session
+    from engine.app.showing import Showing
+    from engine.app.startup import Startup
+    from engine.app.window import Window
+
+TEXT_SIZES = (1.0, 1.2, 1.45, 0.85)
+PAGE_KEYS = {"up": -1, "down": 1, "page up": -12, "page down": 12}
+
+
+@dataclass(slots=True)
+class Loop:
+    """One window with one game in it."""
+
+    window: Window
+    session: Session
+    showing: Showing
+    startup: Startup
+    keeper: Keeper
+    renderer: str = "scanline"
+    rate: int = 60
+    text: float = 1.0
+    view: View = field(default_factory=View)
+    page: Page | None = None
+    scroll: int = 0
+    running: bool = True
+    frames: int = 0
+    hands: Input = field(default_factory=Input)
+    controls: Controls = field(default_factory=Controls)
+    hud: Hud = field(init=False)
+    _rate_shown: float = 0.0
+
+    def __post_init__(self) -> None:
+        self.hud = Hud(Pen(self.window.surface))
+
+    def run(self, each: Callable[[Loop], None] | None = None) -> None:
+        """Play until the player quits; `each` is called before every frame.
+
+        Raises what the preparation raised.
+        """
+        clock = pygame.time.Clock()
+        while self.running:
+            seconds = clock.tick(self.rate) / 1000.0
+            self._rate_shown = clock.get_fps()
+            if self.startup.trouble is not None:
+                raise self.startup.trouble
+            if each is not None:
+                each(self)
+            self.frame(self.window.read(), seconds)
+
+    def frame(self, events: list[InputEvent], seconds: float) -> None:
+        """Do one frame: take in `events`, let `seconds` pass, draw."""
+        self.hands.feed(events)
+        if any(isinstance(event, CloseAsked) for event in events):
+            self.running = False
+            return
+        self._fit()
+        if not self.startup.playable:
+            self._draw_start()
+        else:
+            self._take(events, seconds)
+            self._set(pass_time(self.session, seconds))
+            self.draw()
+        self.window.show()
+        self.frames += 1
+
+    def _fit(self) -> None:
+        """Take up the window's size."""
+        self.hud.pen.surface = self.window.surface
+        self.hud.pen.scale = scale_for(self.window.size, self.text)
+
+    def screen(self) -> Screen:
+        """Return where things are on the screen now."""
+        box = self.hud.picture_box()
+        ball, heading = stroke_seen(self.session)
+        table = self.session.variant.world.table
+        camera = camera_of(self.view, table, (box[2], box[3]), ball, heading)
+        return Screen(box, camera, self.view.camera, dict(self.hud.hot))
+
+    def _take(self, events: list[InputEvent], seconds: float) -> None:
+        if self.page is not None:
+            self._turn_page(events)
+            return
+        for wish in self.controls.read(self.hands, events, self.session, self.screen(), seconds):
+            self._do(wish)
+
+    def _turn_page(self, events: list[InputEvent]) -> None:
+        """Let the keys and the mouse move the page that is open."""
+        self.scroll -= 3 * self.hands.wheel
+        for key in self.hands.pressed:
+            self.scroll += PAGE_KEYS.get(key, 0)
+            if key in ("escape", "f1", "h", "return", "enter", "space"):
+                self.page = None
+                return
+        screen = self.screen()
+        for wish in self.controls.read(
+            Input(mouse=self.hands.mouse), events, self.session, screen, 0.0
+        ):
+            if isinstance(wish, Ask):
+                self._do(wish)
+
+    def _do(self, wish: Wish) -> None:
+        if isinstance(wish, Ask):
+            self._answer(wish)
+            return
+        before = self.session
+        self._set(act(before, wish))
+        if isinstance(wish, commands.Confirm) and self.session.mode is Mode.STRIKING:
+            self.scroll = 0
+
+    def _set(self, session: Session) -> None:
+        if session.match is not self.session.match:
+            self.keeper.follow(session.match)
+        self.session = session
+
+    def _answer(self, ask: Ask) -> None:
+        match ask.action:
+            case "wireframe" | "painter" | "scanline":
+                self.renderer = ask.action
+            case "camera":
+                self.view = self.view.next_camera()
+            case "zoom":
+                self.view = self.view.zoomed(ask.amount)
+            case "orbit":
+                self.view = self.view.orbited(ask.amount, 0.0)
+            case "tilt":
+                self.view = self.view.orbited(0.0, ask.amount)
+            case "text":
+                now = TEXT_SIZES.index(self.text) if self.text in TEXT_SIZES else -1
+                self.text = TEXT_SIZES[(now + 1) % len(TEXT_SIZES)]
+            case "help" | "why" | "menu":
+                self.page, self.scroll = Page[ask.action.upper()], 0
+            case "save":
+                self.page = None
+                self._note(self.keeper.save_shot(self.session.match))
+            case "resume":
+                self.page = None
+            case "quit":
+                self.running = False
+
+    def _note(self, text: str) -> None:
+        self.session = replace(self.session, note=text)
+
+    def draw(self) -> None:
+        """Draw the picture, the display and the page that is open."""
+        screen = self.screen()
+        renderer = self.startup.pick(self.renderer)
+        if renderer is not None:
+            _, top, _, height = screen.picture
+            scene = self.showing.scene(self.session, screen.camera)
+            renderer.render(scene, self.window.rows(top, height))
+        draw_called(self.hud.pen, self.session, screen)
+        self.hud.draw(self.session, self._status())
+        if self.page is not None:
+            last = draw_page(self.hud, self.page, self.session, self.scroll)
+            self.scroll = min(max(self.scroll, 0), last)
+
+    def _status(self) -> str:
+        ready = self.renderer in self.startup.renderers
+        drawn = self.renderer if ready else f"{self.renderer} (being prepared)"
+        return f"{drawn}   {self.view.camera}   {self._rate_shown:.0f} fps"
+
+    def _draw_start(self) -> None:
+        """Say what is being prepared."""
+        pen, (width, height) = self.hud.pen, self.window.size
+        pen.surface.fill((16, 18, 22))
+        middle = width // 2, height // 2
+        title = self.session.variant.title
+        pen.write(title, (middle[0], middle[1] - pen.px(90)), TEXT, 34, "middle")
+        saying = self.startup.saying
+        pen.write(saying, (middle[0], middle[1] - pen.px(20)), FAINT, 17, "middle")
+        box = middle[0] - pen.px(160), middle[1] + pen.px(14), pen.px(320), pen.px(10)
+        pen.bar(box, self.startup.share, GOLD)

@@ -1,0 +1,124 @@
+"""Pages over the picture: the keys, the referee's full explanation, the menu.
+
+One idea: a page is a title and lines; how it is drawn and scrolled is the same for all.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import pygame
+
+from engine.app import keys
+from engine.app.pen import FAINT, GOLD, TEXT, TONES
+from engine.app.words import Line, explanation_lines
+
+if TYPE_CHECKING:
+    from engine.app.hud import Hud
+    from engine.app.session import Session
+
+
+class Page(Enum):
+    """The page that lies over the picture."""
+
+    HELP = "Keys"
+    WHY = "What the referee looked at"
+    MENU = "Menu"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of a page: a line, with a second column where `keys` is not empty."""
+
+    line: Line
+    keys: str = ""
+    hot: str = ""
+
+
+MENU = (
+    ("resume", "Go on playing"),
+    ("help", "Keys"),
+    ("why", "The referee's explanation"),
+    ("save", "Save the last shot as a record"),
+    ("quit", "Quit (the match is kept)"),
+)
+
+
+def rows_of(page: Page, session: Session) -> list[Row]:
+    """Return what a page says."""
+    if page is Page.HELP:
+        return _help()
+    if page is Page.WHY:
+        outcomes = session.verdict.explanation if session.verdict else ()
+        return [Row(line) for line in explanation_lines(outcomes)]
+    return [Row(Line(text), hot=f"ask:{name}") for name, text in MENU]
+
+
+def _help() -> list[Row]:
+    rows = []
+    for group in keys.groups():
+        rows.append(Row(Line(group, "head")))
+        for one in keys.BINDINGS:
+            if one.group == group:
+                fine = "; Shift: fine" if one.takes == "shift" else ""
+                rows.append(Row(Line(one.about + fine), one.shown))
+    rows.append(Row(Line("Mouse", "head")))
+    rows += [Row(Line(about), what) for what, about in keys.MOUSE]
+    return rows
+
+
+def draw_page(hud: Hud, page: Page, session: Session, scroll: int) -> int:
+    """Draw a page, scrolled by rows; return how far it can be scrolled."""
+    pen = hud.pen
+    width, height = pen.surface.get_size()
+    wide = min(pen.px(440 if page is Page.MENU else 860), width - 24)
+    rows = _wrapped(hud, rows_of(page, session), wide)
+    step = pen.line(16) + (pen.px(10) if page is Page.MENU else 0)
+    most = max(1, (height - pen.px(110)) // step)
+    last = max(0, len(rows) - most)
+    first = min(max(scroll, 0), last)
+    shown = rows[first : first + most]
+    high = step * len(shown) + pen.px(70)
+    left, top = (width - wide) // 2, (height - high) // 2
+    pen.panel((left, top, wide, high), 247)
+    pen.write(page.value, (left + pen.px(20), top + pen.px(12)), TEXT, 21)
+    ending = (
+        "Esc closes" if not last else f"wheel or arrows scroll {first + 1}/{last + 1}   Esc closes"
+    )
+    pen.write(ending, (left + wide - pen.px(20), top + pen.px(17)), FAINT, 13, "right")
+    if page is not Page.HELP:
+        hud.hot.clear()
+    for place, row in enumerate(shown):
+        _draw_row(hud, row, (left + pen.px(20), top + pen.px(52) + place * step, wide, step))
+    return last
+
+
+def _wrapped(hud: Hud, rows: list[Row], wide: int) -> list[Row]:
+    pen = hud.pen
+    column = pen.px(240)
+    found = []
+    for row in rows:
+        room = wide - pen.px(40) - (column if row.keys else 0)
+        for number, text in enumerate(pen.wrap(row.line.text, room, 16)):
+            found.append(
+                Row(Line(text, row.line.tone), row.keys if number == 0 else " ", row.hot)
+                if row.keys
+                else Row(Line(text, row.line.tone), "", row.hot)
+            )
+    return found
+
+
+def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int]) -> None:
+    pen = hud.pen
+    x, y, wide, step = box
+    if row.keys:
+        pen.write(row.keys, (x, y), GOLD, 16, room=pen.px(230))
+        x += pen.px(240)
+    if row.hot:
+        place = x, y - pen.px(4), wide - pen.px(40), step - 2
+        pygame.draw.rect(pen.surface, (40, 44, 54), place, border_radius=4)
+        hud.hot[row.hot] = place
+        x += pen.px(12)
+    pen.write(row.line.text, (x, y), TONES[row.line.tone], 16)

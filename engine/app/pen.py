@@ -1,0 +1,124 @@
+"""Text and simple shapes on a pygame surface, sized by one scale.
+
+One idea: every size is a number of "text pixels" times the scale, so the whole display grows
+together. Invariant: a text is rendered once and kept while it is in use.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import pygame
+
+if TYPE_CHECKING:
+    from engine.app.controls import Box
+
+Colour = tuple[int, int, int]
+TEXT: Colour = (233, 232, 226)
+FAINT: Colour = (150, 155, 162)
+GOLD: Colour = (250, 196, 70)
+GOOD: Colour = (128, 214, 140)
+BAD: Colour = (255, 122, 108)
+PANEL: Colour = (22, 25, 31)
+EDGE: Colour = (62, 68, 80)
+TONES = {"head": TEXT, "good": GOOD, "bad": BAD, "plain": (205, 206, 204), "faint": FAINT}
+BASE = 17
+KEPT = 600
+
+
+@dataclass(slots=True)
+class Pen:
+    """Draws on `surface`; `scale` 1 is for a window 1280 x 720."""
+
+    surface: pygame.Surface
+    scale: float = 1.0
+    _fonts: dict[int, pygame.font.Font] = field(default_factory=dict)
+    _texts: dict[tuple[str, int, Colour], pygame.Surface] = field(default_factory=dict)
+
+    def px(self, size: float) -> int:
+        """Return text pixels as whole pixels of the window."""
+        return max(1, round(size * self.scale))
+
+    def font(self, size: float = BASE) -> pygame.font.Font:
+        """Return pygame's own font in a size."""
+        pixels = max(9, self.px(size))
+        if pixels not in self._fonts:
+            self._fonts[pixels] = pygame.font.Font(None, round(pixels * 1.32))
+        return self._fonts[pixels]
+
+    def line(self, size: float = BASE) -> int:
+        """Return the height of a line of text."""
+        return self.font(size).get_linesize()
+
+    def width(self, text: str, size: float = BASE) -> int:
+        """Return the width of a text."""
+        return self.font(size).size(text)[0]
+
+    def write(
+        self,
+        text: str,
+        place: tuple[int, int],
+        colour: Colour = TEXT,
+        size: float = BASE,
+        align: str = "left",
+        room: int | None = None,
+    ) -> int:
+        """Write a text at its upper left corner, middle or right; return its width.
+
+        With `room`, a text that is too long ends in dots.
+        """
+        shown = self.fitted(text, size, room) if room is not None else text
+        image = self._image(shown, size, colour)
+        x = place[0] - {"left": 0, "middle": image.get_width() // 2}.get(align, image.get_width())
+        self.surface.blit(image, (x, place[1]))
+        return image.get_width()
+
+    def fitted(self, text: str, size: float, room: int) -> str:
+        """Return a text cut to `room` pixels, with dots where it is cut."""
+        if self.width(text, size) <= room:
+            return text
+        while text and self.width(text + "...", size) > room:
+            text = text[:-1]
+        return text.rstrip() + "..."
+
+    def _image(self, text: str, size: float, colour: Colour) -> pygame.Surface:
+        key = text, self.px(size), colour
+        if key not in self._texts:
+            if len(self._texts) > KEPT:
+                self._texts.clear()
+            self._texts[key] = self.font(size).render(text, True, colour)  # noqa: FBT003
+        return self._texts[key]
+
+    def wrap(self, text: str, room: int, size: float = BASE) -> list[str]:
+        """Return a text as lines no wider than `room`; an indent is kept."""
+        indent = text[: len(text) - len(text.lstrip())]
+        lines: list[str] = []
+        now = indent
+        for word in text.split():
+            longer = f"{now} {word}" if now.strip() else indent + word
+            if now.strip() and self.width(longer, size) > room:
+                lines.append(now)
+                longer = indent + word
+            now = longer
+        return [*lines, now]
+
+    def panel(self, box: Box, alpha: int = 235, edge: Colour | None = EDGE) -> None:
+        """Fill a box for text, see-through where `alpha` is below 255."""
+        if alpha >= 255:
+            self.surface.fill(PANEL, box)
+        else:
+            sheet = pygame.Surface((box[2], box[3]), pygame.SRCALPHA)
+            sheet.fill((*PANEL, alpha))
+            self.surface.blit(sheet, (box[0], box[1]))
+        if edge is not None:
+            pygame.draw.rect(self.surface, edge, box, 1)
+
+    def bar(self, box: Box, share: float, colour: Colour) -> None:
+        """Draw a gauge filled to `share`."""
+        pygame.draw.rect(self.surface, (40, 44, 52), box, border_radius=3)
+        filled = pygame.Rect(box)
+        filled.width = max(0, min(box[2], round(box[2] * share)))
+        if filled.width:
+            pygame.draw.rect(self.surface, colour, filled, border_radius=3)
+        pygame.draw.rect(self.surface, EDGE, box, 1, border_radius=3)

@@ -1,0 +1,188 @@
+"""Playing a game in a window: from a variant's name to the end of the evening.
+
+One idea: whatever is wrong is found and said in one line before a window opens. Invariant:
+nobody sees a traceback for a mistake of his own.
+"""
+
+from __future__ import annotations
+
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from engine.app.settings import Settings, SettingsError, data_folder, read_settings
+from engine.game.match import SettingError, start_match
+from engine.variant.library import VariantError
+from engine.variant.load import load_variant
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from engine.app.loop import Loop
+    from engine.game.match import Match
+    from engine.variant.variant import Value, Variant
+
+
+class PlayError(ValueError):
+    """Something that the player asked for cannot be; the message is one line."""
+
+
+def play(
+    variant: str | Path,
+    players: int | None = None,
+    settings: Mapping[str, str] | None = None,
+    renderer: str | None = None,
+    size: tuple[int, int] | None = None,
+    rate: int | None = None,
+    seed: int | None = None,
+    resume: str | Path | bool = False,  # noqa: FBT001, FBT002  a flag or a path
+    journal: str | Path | None = None,
+    each: Callable[[Loop], None] | None = None,
+) -> int:
+    """Play a game in a window until the player quits; return the exit status.
+
+    `settings` are the variant's, as text. `resume` is the path of a journal, or True for the
+    newest one of this variant. `each` is called before every frame, with the loop.
+    Status 2: what was asked for cannot be, told on stderr.
+    """
+    try:
+        wishes = _with(read_settings(), renderer, size, rate)
+        match, path, goes_on = _match(variant, players, settings or {}, seed, resume, journal)
+        run(match, wishes, path, goes_on=goes_on, each=each)
+    except (PlayError, SettingsError, SettingError, VariantError) as trouble:
+        print(trouble, file=sys.stderr)  # noqa: T201  the way out is said here
+        return 2
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+
+def _with(
+    settings: Settings, renderer: str | None, size: tuple[int, int] | None, rate: int | None
+) -> Settings:
+    """Return the settings with what the command line says instead."""
+    given: dict[str, object] = {"renderer": renderer, "rate": rate}
+    given |= {"width": size[0], "height": size[1]} if size else {}
+    said = {key: value for key, value in given.items() if value is not None}
+    try:
+        return Settings.model_validate(settings.model_dump() | said)
+    except ValueError as trouble:
+        wrong = ", ".join(f"{key} {value}" for key, value in said.items())
+        known = "renderer wireframe, painter or scanline; rate 5 to 1000; size 480x320 or more"
+        raise PlayError(f"this does not fit: {wrong}; use {known}") from trouble
+
+
+def _match(
+    name: str | Path,
+    players: int | None,
+    settings: Mapping[str, str],
+    seed: int | None,
+    resume: str | Path | bool,  # noqa: FBT001  a flag or a path
+    journal: str | Path | None,
+) -> tuple[Match, Path, bool]:
+    """Return the match, the path of its journal, and whether the journal goes on."""
+    variant = load_variant(name)
+    if resume:
+        path = newest_journal(variant.name) if resume is True else Path(str(resume))
+        return _resumed(path), path, True
+    now = datetime.now(tz=UTC)
+    chosen = {key: read_value(variant, key, text) for key, text in settings.items()}
+    lot = int(now.timestamp()) % 1_000_000 if seed is None else seed
+    stem = f"{variant.name}-{now.strftime('%Y%m%d-%H%M%S')}.toml"
+    path = Path(journal) if journal else data_folder() / "journals" / stem
+    return start_match(variant, players, chosen, lot), path, False
+
+
+def _resumed(path: Path) -> Match:
+    from engine.records.journal import resume  # noqa: PLC0415
+    from engine.records.read import RecordError  # noqa: PLC0415
+
+    try:
+        return resume(path, load_variant)
+    except OSError as trouble:
+        raise PlayError(f"{path}: cannot be read: {trouble.strerror}") from trouble
+    except RecordError as trouble:
+        raise PlayError(f"{path} is no journal to go on with: {trouble}") from trouble
+
+
+def newest_journal(name: str) -> Path:
+    """Return the newest journal of a variant; raises PlayError where there is none."""
+    found = sorted((data_folder() / "journals").glob(f"{name}-*.toml"))
+    if not found:
+        raise PlayError(f"there is no match of {name} to go on with; leave --resume out")
+    return found[-1]
+
+
+def read_value(variant: Variant, key: str, text: str) -> Value:
+    """Return a setting's value from text, by the kind of its default.
+
+    Raises SettingError for a setting that the variant does not have, or that does not read so.
+    """
+    if key not in variant.settings:
+        known = ", ".join(variant.settings) or "none"
+        raise SettingError(f"{variant.title} has no setting {key}; it has: {known}")
+    default = variant.settings[key].default
+    if isinstance(default, bool):
+        words = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
+        if text.lower() not in words:
+            raise SettingError(f"the setting {key} is true or false, not {text!r}")
+        return words[text.lower()]
+    if isinstance(default, int):
+        try:
+            return int(text)
+        except ValueError:
+            raise SettingError(f"the setting {key} is a whole number, not {text!r}") from None
+    return text
+
+
+def run(
+    match: Match,
+    settings: Settings,
+    journal: Path,
+    *,
+    goes_on: bool = False,
+    each: Callable[[Loop], None] | None = None,
+) -> None:
+    """Open a window and play a match in it; raises PlayError where none can be opened."""
+    from engine.app.window import NoWindowError, close_window, open_window  # noqa: PLC0415
+
+    try:
+        window = open_window((settings.width, settings.height), match.variant.title)
+    except NoWindowError as trouble:
+        raise PlayError(f"no window can be opened: {trouble}") from trouble
+    try:
+        loop = make_loop(window, match, settings, journal, goes_on=goes_on)
+        loop.run(each)
+    finally:
+        close_window()
+
+
+def make_loop(
+    window: object, match: Match, settings: Settings, journal: Path, *, goes_on: bool = False
+) -> Loop:
+    """Return the loop of a match in a window that is open, its preparation begun."""
+    from engine.app.keeping import Keeper  # noqa: PLC0415  the window comes before the rest
+    from engine.app.loop import Loop  # noqa: PLC0415
+    from engine.app.session import Aid, begin  # noqa: PLC0415
+    from engine.app.showing import Showing  # noqa: PLC0415
+    from engine.app.startup import Startup  # noqa: PLC0415
+    from engine.stage.stage import build_stage  # noqa: PLC0415
+
+    keeper = Keeper(journal, data_folder() / "shots")
+    try:
+        (keeper.carry_on if goes_on else keeper.start)(match)
+    except OSError as trouble:
+        raise PlayError(f"{journal}: the journal cannot be written: {trouble}") from trouble
+    startup = Startup(settings.renderer)
+    startup.begin()
+    return Loop(
+        window=window,  # type: ignore[arg-type]
+        session=begin(match, aid=Aid(settings.aid)),
+        showing=Showing(build_stage(match.variant)),
+        startup=startup,
+        keeper=keeper,
+        renderer=settings.renderer,
+        rate=settings.rate,
+        text=settings.text,
+    )

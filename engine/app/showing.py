@@ -1,0 +1,166 @@
+"""From a session to a scene: where every ball is now, how it is turned, and what is marked.
+
+One idea: the table shown is either the one before the next stroke or a moment of the last
+stroke's trace; the rest is marks on the cloth.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import radians
+from typing import TYPE_CHECKING
+
+from engine.app.prediction import Prediction, predict
+from engine.app.session import SWING, Aid, Mode, Session
+from engine.game.situation import cue_ball_of
+from engine.scene.shape import Disc, Mesh, Polyline
+from engine.stage.cue import CuePose
+from engine.stage.marks import LIFT, flat_path, flat_ring, tint_zone
+from engine.stage.skin import facing
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from engine.physics.trace import Trace
+    from engine.scene.camera import Camera, Vector
+    from engine.scene.scene import Scene
+    from engine.stage.stage import Stage
+    from engine.table.furniture import BallId
+
+GOLD = (250, 196, 70)
+WHITE = (240, 240, 240)
+BLUE = (110, 170, 255)
+DRAWN_BACK = 0.30
+"""How far (m) the cue is drawn back for the hardest stroke."""
+
+
+@dataclass(slots=True)
+class Showing:
+    """Turns sessions into scenes; keeps how the balls lie turned from stroke to stroke."""
+
+    stage: Stage
+    _turned: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
+    _settled: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
+    _trace: Trace | None = None
+    _asked: object = None
+    _answer: Prediction | None = None
+
+    def scene(self, session: Session, camera: Camera) -> Scene:
+        """Return the scene of a session at this moment."""
+        self._keep_turns(session)
+        aids, discs = self._marks(session)
+        return self.stage.scene(
+            self.places(session),
+            camera,
+            orientations=self._orientations(session),
+            cue=self._cue(session),
+            aids=aids,
+            discs=discs,
+        )
+
+    def places(self, session: Session) -> dict[BallId, Vector]:
+        """Return the centre of every ball shown, m."""
+        if session.is_showing and session.trace is not None:
+            rows = session.trace.positions([max(session.clock, 0.0)])[0]
+            return {
+                ball.id: (float(row[0]), float(row[1]), float(row[2]))
+                for ball, row in zip(session.trace.balls, rows, strict=True)
+            }
+        radii = {ball.id: ball.radius for ball in session.variant.world.balls}
+        lying = session.layout
+        if session.mode in (Mode.OVER, Mode.CHOOSING):
+            lying = dict(session.match.situation.rest.positions)
+        return {ball: (x, y, radii[ball]) for ball, (x, y) in lying.items()}
+
+    def _keep_turns(self, session: Session) -> None:
+        """Take up a new trace: its end is how the balls lie turned from then on."""
+        if session.trace is self._trace or session.trace is None:
+            return
+        self._turned = dict(self._settled)
+        self._trace = session.trace
+        ends = session.trace.orientations([session.trace.duration])[0]
+        for ball, end in zip(session.trace.balls, ends, strict=True):
+            self._settled[ball.id] = end @ self._turned.get(ball.id, facing())
+
+    def _orientations(self, session: Session) -> dict[BallId, NDArray[np.float64]]:
+        if not session.is_showing or session.trace is None:
+            return self._settled
+        now = session.trace.orientations([max(session.clock, 0.0)])[0]
+        return {
+            ball.id: turn @ self._turned.get(ball.id, facing())
+            for ball, turn in zip(session.trace.balls, now, strict=True)
+        }
+
+    def _cue(self, session: Session) -> CuePose | None:
+        if session.mode is Mode.AIMING or session.mode is Mode.CALLING:
+            place, strike = session.cue_place, session.stroke.strike()
+            ball, gap = session.cue_ball, 0.015 + DRAWN_BACK * session.stroke.speed / 12.0
+        elif session.mode is Mode.STRIKING and session.last_stroke:
+            last = session.last_stroke
+            if last.shot.strike is None:
+                return None
+            ball, strike = cue_ball_of(session.variant, last.before.shooter), last.shot.strike
+            place = last.shot.placement or last.before.rest.positions.get(ball)
+            share = min(max(-session.clock / SWING, 0.0), 1.0)
+            gap = (0.015 + DRAWN_BACK * strike.speed / 12.0) * share
+        else:
+            return None
+        if place is None:
+            return None
+        radius = self.stage.spheres[ball].radius
+        return CuePose(
+            (place[0], place[1], radius),
+            radius,
+            strike.heading,
+            max(strike.elevation, radians(4.0)),
+            strike.side,
+            strike.follow,
+            gap,
+        )
+
+    def _marks(self, session: Session) -> tuple[list[Mesh | Polyline], list[Disc]]:
+        if session.mode not in (Mode.PLACING, Mode.CALLING, Mode.AIMING):
+            return [], []
+        aids: list[Mesh | Polyline] = []
+        discs: list[Disc] = []
+        lying = session.layout
+        for ball, (x, y) in lying.items():
+            radius = self.stage.spheres[ball].radius
+            if ball == session.call.ball:
+                aids.append(flat_ring((x, y), 1.5 * radius, BLUE, 0.007))
+            elif ball in session.admission.on and ball != session.cue_ball:
+                discs.append(Disc((x, y, LIFT), 1.32 * radius, GOLD, 0.75, 0.12 * radius))
+        if session.mode is Mode.PLACING and session.ahead.in_hand is not None:
+            table = session.variant.world.table
+            tint = tint_zone(table.zones[session.ahead.in_hand], table, (255, 255, 255), 0.14)
+            aids += [tint] if tint else []
+        if session.mode is Mode.AIMING:
+            aids += self._aim(session)
+        return aids, discs
+
+    def _aim(self, session: Session) -> list[Mesh | Polyline]:
+        """Return the lines of the aiming aid, from the physics itself."""
+        place = session.cue_place
+        if session.aid is Aid.OFF or place is None:
+            return []
+        asked = (session.stroke, place, session.ahead.rest.positions, session.cue_ball)
+        if asked != self._asked:
+            self._asked, self._answer = asked, predict(session)
+        return draw_prediction(self._answer, session.aid) if self._answer else []
+
+
+def draw_prediction(seen: Prediction, aid: Aid) -> list[Mesh | Polyline]:
+    """Return what an aid shows of a prediction."""
+    lines: list[Mesh | Polyline] = []
+    if len(seen.to_contact) > 1:
+        lines.append(flat_path(seen.to_contact, WHITE, 0.004, 0.85))
+    if aid is Aid.LINE:
+        return lines
+    if seen.contact is not None:
+        lines.append(flat_ring(seen.contact, seen.radius, WHITE, 0.003))
+        if len(seen.object_way) > 1:
+            lines.append(flat_path(seen.object_way, GOLD, 0.004, 0.9))
+    if aid is Aid.ALL:
+        lines += [flat_path(way, (190, 200, 215), 0.003, 0.6) for way in seen.ways if len(way) > 1]
+    return lines

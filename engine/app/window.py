@@ -1,0 +1,115 @@
+"""The window: opened by pygame, asked for events, lending its memory to the renderers.
+
+One idea: pygame's events become plain values here, once; nothing else of the game reads them.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import pygame
+
+from engine.app import inputs
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+SMALLEST = (480, 320)
+
+
+class NoWindowError(RuntimeError):
+    """No window can be opened here; the message says what the system said."""
+
+
+@dataclass(slots=True)
+class Window:
+    """The window's surface, 32 bits a pixel."""
+
+    surface: pygame.Surface
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.surface.get_size()
+
+    def read(self) -> list[inputs.InputEvent]:
+        """Return what happened since the last call, in order; takes up a new size."""
+        found: list[inputs.InputEvent] = []
+        for event in pygame.event.get():
+            if event.type == pygame.VIDEORESIZE:
+                wanted = max(event.w, SMALLEST[0]), max(event.h, SMALLEST[1])
+                self.surface = pygame.display.get_surface() or self.surface
+                if wanted != self.size:
+                    self.surface = _set_mode(wanted)
+            found += translate(event)
+        return found
+
+    def rows(self, top: int, height: int) -> NDArray[np.uint32]:
+        """Lend rows of the window's memory as (height, w) uint32 0x00RRGGBB.
+
+        Nothing else may draw in the window while the array is kept.
+        """
+        return pygame.surfarray.pixels2d(self.surface).T[top : top + height]
+
+    def show(self) -> None:
+        """Bring what was drawn to the screen."""
+        pygame.display.flip()
+
+
+def open_window(size: tuple[int, int], title: str) -> Window:
+    """Return a new window; raises NoWindowError where there is no screen to open one on."""
+    os.environ.setdefault("SDL_FRAMEBUFFER_ACCELERATION", "0")
+    try:
+        pygame.display.init()
+        pygame.font.init()
+        pygame.display.set_caption(title)
+        surface = _set_mode(size)
+    except pygame.error as trouble:
+        raise NoWindowError(str(trouble)) from trouble
+    return Window(surface)
+
+
+def close_window() -> None:
+    """Close the window and leave pygame as it was before."""
+    pygame.quit()
+
+
+def _set_mode(size: tuple[int, int]) -> pygame.Surface:
+    return pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+
+
+def translate(event: pygame.event.Event) -> Iterator[inputs.InputEvent]:
+    """Yield what a pygame event means for the input service."""
+    match event.type:
+        case pygame.KEYDOWN:
+            yield inputs.KeyPressed(key_name(event.key))
+        case pygame.KEYUP:
+            yield inputs.KeyReleased(key_name(event.key))
+        case pygame.MOUSEMOTION:
+            yield inputs.MouseMoved(event.pos)
+        case pygame.MOUSEBUTTONDOWN if event.button <= inputs.RIGHT:
+            yield inputs.ButtonPressed(event.button, event.pos)
+        case pygame.MOUSEBUTTONUP if event.button <= inputs.RIGHT:
+            yield inputs.ButtonReleased(event.button, event.pos)
+        case pygame.MOUSEWHEEL:
+            yield inputs.Wheeled(event.y)
+        case pygame.WINDOWFOCUSLOST:
+            yield inputs.FocusLost()
+        case pygame.QUIT:
+            yield inputs.CloseAsked()
+
+
+KEYPAD = {"+": "=", "-": "-"}
+
+
+def key_name(code: int) -> str:
+    """Return the lower-case name of a key; the keypad's keys are those of the main field."""
+    name = pygame.key.name(code).lower()
+    if name.startswith("[") and name.endswith("]") and len(name) == 3:
+        return KEYPAD.get(name[1], name[1])
+    return name
