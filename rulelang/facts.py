@@ -42,7 +42,7 @@ class Situation:
     scores: tuple[int, ...]
     on_table: frozenset[str]
     state: Mapping[str, Tracked]
-    settings: Mapping[str, Value] = Nothing
+    settings: Mapping[str, Value] = field(default_factory=lambda: Nothing)
     in_hand: str | None = None
     zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
     frozen: frozenset[tuple[str, str]] = frozenset()
@@ -86,7 +86,7 @@ class Shot:
     events: tuple[Event, ...]
     call: Call = Call()
     chosen: str | None = None
-    facts: Mapping[str, Value] = Nothing
+    facts: Mapping[str, Value] = field(default_factory=lambda: Nothing)
     predicates: Mapping[str, Predicate] = field(default_factory=dict)
     placed: frozenset[str] | None = None
     rest: Rest = Rest()
