@@ -218,8 +218,6 @@ class _Reader:
         if value is None:
             raise self.fail("divides by zero")
         group, unit = self.tokens[self.at]
-        if group == "number" and "." not in text and self.mixed_follows():
-            raise self.fail("cannot read this fraction")
         if group != "word" or unit in self.names:
             return value, 0
         if unit not in self.kind.units:
@@ -227,9 +225,6 @@ class _Reader:
             raise self.fail(f"`{unit}` is no unit of {self.kind.noun}", f"use one of {units}")
         self.at += 1
         return value * self.kind.units[unit], 1
-
-    def mixed_follows(self) -> bool:
-        return self.tokens[self.at][0] == "mixed"
 
 
 def _mixed(text: str) -> float | None:
