@@ -5,6 +5,7 @@ One idea: every check adds to one Report and goes on; nothing stops at the first
 
 from __future__ import annotations
 
+import re
 import types
 import typing
 from dataclasses import dataclass, field
@@ -56,9 +57,16 @@ class Report:
 
     def add_shape_errors(self, error: ValidationError, broken: Collection[str]) -> None:
         """Add every mistake that pydantic found, save what is missing in a `broken` part."""
+        missing: dict[KeyPath, list[str]] = {}
         for one in error.errors(include_url=False):
-            if not (one["type"] == "missing" and one["loc"][0] in broken):
+            if one["type"] != "missing":
                 self._add_shape_error(one)
+            elif one["loc"][0] not in broken:
+                missing.setdefault(one["loc"][:-1], []).append(str(one["loc"][-1]))
+        for path, keys in missing.items():
+            named = ", ".join(f"`{key}`" for key in keys)
+            message = f"{named} {'is' if len(keys) == 1 else 'are'} missing"
+            self.add("V102", (*path, keys[0]), message, f"add `{keys[0]} = ...`")
 
     def _add_shape_error(self, one: ErrorDetails) -> None:
         path = tuple(key for key in one["loc"] if key != "[key]")
@@ -71,8 +79,6 @@ class Report:
             known = _known_keys(self.shape, path[:-1])
             message = f"`{path[-1]}` is not known here"
             self.add("V101", path, message, nearest(str(path[-1]), known), on_key=True)
-        elif kind == "missing":
-            self.add("V102", path, f"`{path[-1]}` is missing", f"add `{path[-1]} = ...`")
         elif kind == "literal_error":
             mend = f"allowed here: {context['expected']}"
             self.add("V106", path, f"{one['input']!r} is no choice here", mend)
@@ -105,7 +111,7 @@ _KINDS = {
 def _sentence(message: str) -> str:
     message = message.replace("Input should be", "this should be")
     message = message.replace("dictionary", "table").replace("valid integer", "whole number")
-    message = message.replace("or instance of", "such as").replace("valid string", "text")
+    message = re.sub(r" or instance of \w+", "", message).replace("valid string", "text")
     return message[:1].lower() + message[1:]
 
 

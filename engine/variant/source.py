@@ -107,7 +107,9 @@ class Node:
         return node, ()
 
     def child(self, key: str | int) -> Node | None:
-        """Return one child; a point written as an array answers to x and y as well."""
+        """Return one child; a point written as an array or a spot's name answers like a table."""
+        if isinstance(self.value, str) and key == "spot":
+            return self
         if isinstance(self.value, dict):
             child = self.value.get(key)
             return child if isinstance(child, Node) else None
