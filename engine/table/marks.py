@@ -233,7 +233,10 @@ def _roots(polynomial: Polynomial, end: float) -> list[float]:
     """Return the roots in [0, end]: closed forms to degree two, beyond by isolation."""
     while len(polynomial) > 1 and polynomial[-1] == 0.0:
         polynomial = polynomial[:-1]
-    if len(polynomial) <= 1:
+    reach = 0.0
+    for coefficient in reversed(polynomial[1:]):
+        reach = (reach + abs(coefficient)) * end
+    if len(polynomial) <= 1 or reach < abs(polynomial[0]):
         return []
     if len(polynomial) == 2:
         roots = [-polynomial[0] / polynomial[1]]
