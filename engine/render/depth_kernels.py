@@ -112,7 +112,7 @@ def draw_triangles(
         shiny = (smooth or face_light[f, 0] > 0.0) and not flat
         colour = (float(face_colours[f, 0]), float(face_colours[f, 1]), float(face_colours[f, 2]))
         colour32 = (np.float32(colour[0]), np.float32(colour[1]), np.float32(colour[2]))
-        lit = np.float32(ambient * (0.72 + 0.28 * nz))
+        lit = np.float32(ambient * (0.76 + 0.24 * nz))
         for k in range(lamp_count):
             toward = lamps[k, 0] * nx + lamps[k, 1] * ny + lamps[k, 2] * nz - face_offsets[f]
             shares[k] = lamps[k, 3] * max(toward, 0.0)

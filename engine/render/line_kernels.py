@@ -21,12 +21,15 @@ def blend(image, y, x, r, g, b, share):
 
 
 @njit(cache=True, nogil=True)
-def stroke(image, depth, tested, top, bottom, line, colour, alpha, half):
-    """Draw one stroke from `line` (x, y, 1/z at both ends, in pixels), `half` pixels wide."""
+def stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, least):
+    """Draw one stroke from `line` (x, y in pixels, 1/z at both ends).
+
+    Half its width is `scale` times 1/z, and `least` pixels at least.
+    """
     height, width = image.shape
     x0, y0, w0, x1, y1, w1 = line
     # Liang-Barsky against the picture, with room for the stroke's width
-    room = half + 2.0
+    room = max(scale * max(w0, w1), least) + 2.0
     dx, dy = x1 - x0, y1 - y0
     enter, leave = 0.0, 1.0
     for side in range(4):
@@ -57,7 +60,7 @@ def stroke(image, depth, tested, top, bottom, line, colour, alpha, half):
     if low > high:
         low, high = high, low
     slope = (dx if steep else dy) / long
-    reach = half * np.sqrt(1.0 + slope * slope)
+    lean = np.sqrt(1.0 + slope * slope)
     base = x0 if steep else y0
     rate = (w1 - w0) / long
     first = max(int(np.ceil(low - 0.5)), top if steep else 0)
@@ -67,7 +70,8 @@ def stroke(image, depth, tested, top, bottom, line, colour, alpha, half):
     for major in range(first, last):
         gone = major + 0.5 - start
         middle = base + gone * slope
-        inverse = (w0 + gone * rate) * 1.002
+        inverse = w0 + gone * rate
+        reach = max(scale * inverse, least) * lean
         begin = max(int(np.floor(middle - reach - 0.5)), floor_cross)
         stop = min(int(np.ceil(middle + reach + 0.5)) + 1, limit_cross)
         for minor in range(begin, stop):
@@ -76,7 +80,7 @@ def stroke(image, depth, tested, top, bottom, line, colour, alpha, half):
                 continue
             share = min(share, 1.0) * alpha
             y, x = (major, minor) if steep else (minor, major)
-            if tested and inverse < depth[y, x]:
+            if tested and inverse * 1.002 < depth[y, x]:
                 continue
             blend(image, y, x, r, g, b, share)
 
@@ -110,8 +114,8 @@ def segment(image, depth, tested, top, bottom, a, b, view, colour, alpha, width,
         height * 0.5 + focal * ends[1, 1] * w1,
         w1,
     )
-    half = max(0.25 * width * focal * (w0 + w1), 0.5 * least)
-    stroke(image, depth, tested, top, bottom, line, colour, alpha, half)
+    scale = 0.5 * width * focal
+    stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, 0.5 * least)
 
 
 @njit(cache=True, nogil=True)

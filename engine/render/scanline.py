@@ -177,6 +177,7 @@ class _Job:
         self.depth[top:bottom] = 0.0
         points = _project(self.fixed, self.view)
         self._triangles(self.fixed, points, self._shade(self.fixed), top, bottom)
+        self._tints(self.fixed, points, top, bottom)
 
     def draw_moving(self, top: int, bottom: int) -> None:
         """Draw tints, marks, shadows and what moves in a band of rows."""

@@ -8,14 +8,14 @@ is filled.
 import numpy as np
 from numba import njit
 
-SHINE = 5
+SHINE = 6
 """Highlights are raised to the power 2^SHINE."""
 
 
 @njit(cache=True, nogil=True)
 def light_at(px, py, pz, nx, ny, nz, eye, lamps, ambient, gloss):
     """Return the light on a point with a normal, and its highlight; lamps (n, 4) with power."""
-    light = ambient * (0.72 + 0.28 * nz)
+    light = ambient * (0.76 + 0.24 * nz)
     shine = 0.0
     vx, vy, vz = eye[0] - px, eye[1] - py, eye[2] - pz
     size = 1.0 / np.sqrt(vx * vx + vy * vy + vz * vz)

@@ -25,6 +25,8 @@ PIXELS_A_STEP = 11.0
 LEAST, MOST = 4, 16
 STROKE = 1.15
 DIMMED = 0.85
+FAINT = 0.12
+"""Tints no stronger than this are left out."""
 
 
 class Wireframe:
@@ -66,6 +68,7 @@ class Wireframe:
     def _draw_pack(self, pixels: Pixels, pack: Pack, view: View) -> None:
         chosen = self._edges(pack.edges, pack.face_normals, pack.face_offsets, view.eye)
         edges = pack.edges[chosen]
+        edges = edges[pack.face_light[edges[:, 2], 1] > FAINT]
         colours = _bright(pack.face_colours[edges[:, 2]])
         alphas = np.where(pack.face_light[edges[:, 2], 1] < 1.0, 0.4, DIMMED)
         widths = np.zeros(len(edges))

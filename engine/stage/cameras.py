@@ -58,5 +58,5 @@ def orbit_camera(
     Without a `distance` (m) it stands as far as the table's length asks.
     """
     steep = min(max(elevation, 0.03), 1.55)
-    away = distance if distance is not None else 1.05 * table.length + 0.35
+    away = distance if distance is not None else 1.25 * table.length + 0.45
     return orbit((0.0, 0.0, 0.0), azimuth, steep, max(away, 0.1), radians(42.0))

@@ -25,6 +25,9 @@ LIFT = 0.0004
 LINE_WIDTH = 0.0035
 SPOT_RADIUS = 0.0065
 ARC_STEPS = 48
+SHADE: Rgb = (0, 0, 0)
+SHADE_REACH = (0.006, 0.012, 0.019, 0.027)
+GLEAM: Rgb = (235, 245, 235)
 
 
 def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
@@ -90,6 +93,39 @@ def flat_ring(centre: Point, radius: float, colour: Rgb, width: float = LINE_WID
     """Return a ring on the cloth, such as where a ball would stand."""
     rim = plan.circle(centre, radius, 32)
     return flat_path([*rim, rim[0]], colour, width)
+
+
+def build_shade(table: Table) -> list[Mesh]:
+    """Return tints on the cloth along the cushions' feet: strips, each wider than the last."""
+    sheets = []
+    for reach in SHADE_REACH:
+        strips = []
+        for cushion in table.cushions:
+            points = plan.trace_shapes(cushion.shapes, 0.2)
+            for (ax, ay), (bx, by) in zip(points[:-1], points[1:], strict=True):
+                size = hypot(bx - ax, by - ay)
+                x, y = (ay - by) / size, (bx - ax) / size
+                near, far = -0.012, reach
+                strips.append(
+                    [
+                        (ax + near * x, ay + near * y),
+                        (bx + near * x, by + near * y),
+                        (bx + far * x, by + far * y),
+                        (ax + far * x, ay + far * y),
+                    ]
+                )
+        sheets.append(flat_sheet(strips, LIFT / 2.0, SHADE, layer=1, alpha=0.09))
+    return sheets
+
+
+def build_gleam(table: Table) -> tuple[Polyline, ...]:
+    """Return the light along the cushions' noses."""
+    return tuple(
+        flat_path(
+            plan.trace_shapes(cushion.shapes, 0.1), GLEAM, 0.002, 0.2, table.nose_height + LIFT
+        )
+        for cushion in table.cushions
+    )
 
 
 def build_spots(table: Table, colour: Rgb) -> tuple[FlatDisc, ...]:

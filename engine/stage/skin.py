@@ -106,7 +106,7 @@ def _sample(ink: Field, right: Field, up: Field) -> Field:
     return upper * (1.0 - fy) + lower * fy
 
 
-def facing(elevation_deg: float = 50.0) -> NDArray[np.float64]:
+def facing(elevation_deg: float = 58.0) -> NDArray[np.float64]:
     """Return the rotation that turns a label up and towards the head (-x)."""
     c, s = cos(radians(elevation_deg)), sin(radians(elevation_deg))
     pole, top = np.array([-c, 0.0, s]), np.array([s, 0.0, c])

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 LAMP_HEIGHT = 0.95
 LAMP_SPACING = 1.3
-BRIGHTNESS = 0.80
+BRIGHTNESS = 0.76
 """Light of all lamps on the bed, on the average."""
 CHALK: Rgb = (214, 218, 208)
 SIGHT: Rgb = (236, 226, 198)
@@ -86,7 +86,7 @@ class Stage:
             objects=tuple(objects),
             lights=self.lamps,
             camera=camera,
-            ambient=0.34,
+            ambient=0.40,
             marks=(*self.spots, *discs),
             shadows=tuple(
                 shadow
@@ -150,8 +150,10 @@ def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline,
     return (
         *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
         build_bed(table, frame, look.cloth),
+        *marks.build_shade(table),
+        *marks.build_gleam(table),
         *marks.build_lines(table, CHALK),
-        *build_cushions(table, frame, look.cloth),
+        *build_cushions(table, frame, _mix(look.cloth, (255, 255, 255), 0.07)),
         *build_rails(table, frame, look.rail, liner),
         *marks.build_sights(table, frame, SIGHT),
     )
