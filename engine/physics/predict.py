@@ -61,11 +61,14 @@ def closes(
         reach = sqrt(square)
         if drift < -reach * NEAR:
             return 0.0 if reach > 0.5 * distance else NEVER
-        if gap <= 0.0 or drift <= reach * NEAR:
-            distance = min(distance, reach)
-            if drift <= reach * NEAR and cx * ax + cy * ay < 0.0:
-                distance -= DIP
-            gap = square - distance * distance
+        if drift <= reach * NEAR:
+            drift = 0.0
+            bend = bx * bx + by * by + 2.0 * (cx * ax + cy * ay)
+            distance = min(distance, reach) - (DIP if bend < 0.0 else 0.0)
+            gap = max(square - distance * distance, 0.0)
+        elif gap <= 0.0:
+            distance = reach
+            gap = 0.0
     else:
         reach = sqrt(square)
     speed = sqrt(bx * bx + by * by)
@@ -164,9 +167,10 @@ def _line_time(ball: Floats, nose: Floats) -> float:
     if beside and -1e-5 < gap <= NEAR:
         if speed < -NEAR:
             return ball[T0]
-        gap = max(gap, 0.0) if speed > NEAR else 0.0
-        if speed <= NEAR and pull < 0.0:
-            gap = DIP
+        gap = max(gap, 0.0)
+        if speed <= NEAR:
+            speed = 0.0
+            gap = DIP if pull < 0.0 else 0.0
     if gap >= 0.0 and speed >= 0.0 and pull >= 0.0:
         return NEVER
     s = first_fall(gap, speed * last, pull * last * last, 0.0, 0.0, 0.0, 1.0)
@@ -200,11 +204,13 @@ def _arc_time(ball: Floats, nose: Floats) -> float:
         if slope < -NEAR:
             return ball[T0]
         bend = ball[VX] * ball[VX] + ball[VY] * ball[VY] + 2.0 * (cx * ax + cy * ay)
-        if gap <= 0.0 or slope <= NEAR:
-            distance = min(distance, reach) if sign > 0.0 else max(distance, reach)
-            if slope <= NEAR and sign * bend < 0.0:
-                distance -= sign * DIP
+        distance = min(distance, reach) if sign > 0.0 else max(distance, reach)
+        if slope <= NEAR:
+            drift = 0.0
+            distance -= sign * DIP if sign * bend < 0.0 else 0.0
     k0 = sign * (square - distance * distance)
+    if -1e-5 < gap <= NEAR and _faces(nose, cx, cy):
+        k0 = max(k0, 0.0)
     k1 = sign * 2.0 * drift * last
     speed2 = ball[VX] * ball[VX] + ball[VY] * ball[VY]
     k2 = sign * (speed2 + 2.0 * (cx * ax + cy * ay)) * last * last

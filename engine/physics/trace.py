@@ -48,8 +48,12 @@ class Trace:
     duration: float
 
     def events(self) -> tuple[Event, ...]:
-        """Return the events in order, typed."""
-        return tuple(self._event(row) for row in self.log)
+        """Return the events in order, typed.
+
+        A resting contact is carried by tiny bounces; of those only the first is told. `log` has
+        them all.
+        """
+        return tuple(self._event(row) for row in self._told())
 
     def positions(self, times: ArrayLike) -> Floats:
         """Return the centres (T, n, 3) in m; a ball that is gone rests below the bed."""
@@ -140,6 +144,21 @@ class Trace:
         digest.update(np.float64(self.duration).tobytes())
         return digest.hexdigest()
 
+    def _told(self) -> list[Floats]:
+        """Return the log without the later bounces of a resting contact."""
+        told: list[Floats] = []
+        last: dict[tuple[int, int, int], float] = {}
+        for row in self.log:
+            kind, first = int(row[state.E_KIND]), int(row[state.E_FIRST])
+            second = int(row[state.E_SECOND])
+            one, two = sorted((first, second)) if kind == state.TOUCHING else (first, second)
+            before = last.get((kind, one, two), -1.0)
+            last[kind, one, two] = row[state.E_TIME]
+            resting = kind in _LASTING and row[state.E_SPEED] < state.SOFT
+            if not (resting and row[state.E_TIME] - before <= RESTING):
+                told.append(row)
+        return told
+
     def _index(self, ball: BallId) -> int:
         return next(i for i, known in enumerate(self.balls) if known.id == ball)
 
@@ -191,6 +210,10 @@ class Trace:
             raise AssertionError("a nose belongs to a cushion or a pocket")
         return happened.JawHit(time, ball, owner.pocket, speed)
 
+
+_LASTING = (state.TOUCHING, state.NOSE, state.ROLLING, state.STOPPED)
+RESTING = 0.02
+"""Bounces of one contact that follow each other within this time (s) are one rest."""
 
 _DEPARTURES = (float(state.DROPPED), float(state.LEFT))
 

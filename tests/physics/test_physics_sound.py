@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from itertools import pairwise
 from math import inf, pi, radians, sqrt
 
 import numpy as np
@@ -318,7 +319,7 @@ def test_pieces_give_the_positions():
     for index in range(3):
         pieces = trace.pieces_of(f"b{index}")
         assert pieces[0][0] == 0.0
-        for (_, end, *_), (start, *_) in zip(pieces, pieces[1:], strict=False):
+        for (_, end, *_), (start, *_) in pairwise(pieces):
             assert end == start
         for t0, t1, r, v, a in pieces:
             s = 0.5 * (t1 - t0)
@@ -354,3 +355,12 @@ def test_momentum_in_a_break_without_noses():
     assert shot.finished is False
     shot.advance(inf)
     assert shot.finished
+
+
+def test_a_resting_contact_is_told_once():
+    world = make_world(2)
+    start = {"b0": (0.0, 0.0), "b1": (2 * R, 0.0)}
+    trace = throw(world, start, {"b0": ((0.0, 0.0), (0.0, 10.0, 0.0))})
+    told = [e for e in trace.events() if isinstance(e, BallsCollided)]
+    assert len(told) == 1
+    assert len(trace.log) > 50
