@@ -26,6 +26,7 @@ from engine.variant.source import read_text
 from engine.variant.spec import VariantSpec
 from engine.variant.variant import Variant
 from engine.variant.words import vocabulary_of
+from rulelang.diagnostics import ScriptError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.source import Node
     from rulelang.diagnostics import Diagnostic
-    from rulelang.program import Program
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,10 +52,20 @@ class _Reading:
     path: Path
     diagnostics: list[Diagnostic]
     report: Report | None = None
-    spec: VariantSpec | None = None
     draft: Draft | None = None
-    script: Path | None = None
-    program: Program | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Script:
+    """A rule script as text, and where those lie that it uses."""
+
+    path: Path
+    text: str
+    home: Path
+
+    def library(self, name: str) -> tuple[str, str] | None:
+        """Return text and file name of a script that this one uses by name."""
+        return read_library(name, self.home)
 
 
 def load_variant(name_or_path: str | Path) -> Variant:
@@ -63,17 +73,25 @@ def load_variant(name_or_path: str | Path) -> Variant:
 
     Raises VariantError, which carries every diagnostic.
     """
-    reading = _read(resolve(name_or_path), with_script=True)
-    draft, script, program = reading.draft, reading.script, reading.program
-    wrong = [one for one in reading.diagnostics if one.severity == "error"]
-    if wrong or draft is None or script is None or program is None:
-        raise VariantError(_in_order(reading))
+    from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
+
+    reading = _read(resolve(name_or_path))
+    draft = reading.draft
+    script = _find_script(reading)
+    if reading.diagnostics or draft is None or script is None:
+        raise VariantError(_in_order(reading) + _script_mistakes(draft, script))
+    try:
+        program = compile_script(
+            script.text, str(script.path), vocabulary_of(draft), script.library
+        )
+    except ScriptError as error:
+        raise VariantError(list(error.diagnostics)) from None
     return Variant(
         name=reading.path.stem,
         title=draft.spec.title,
         rulebook=draft.spec.rulebook,
         path=reading.path,
-        script_path=script,
+        script_path=script.path,
         world=draft.world,
         balls=draft.balls,
         cue_balls=draft.cue_balls,
@@ -88,13 +106,15 @@ def load_variant(name_or_path: str | Path) -> Variant:
 def check_variant(name_or_path: str | Path) -> list[Diagnostic]:
     """Return every mistake of a variant, in its files and in its script; none raises.
 
-    The script is checked as soon as the files are good enough to tell the names it may use.
+    The script is checked as soon as the files are good enough to tell the names it may use;
+    its warnings are told too.
     """
     try:
-        path = resolve(name_or_path)
+        reading = _read(resolve(name_or_path))
     except VariantError as error:
         return list(error.diagnostics)
-    return _in_order(_read(path, with_script=True))
+    script = _find_script(reading)
+    return _in_order(reading) + _script_mistakes(reading.draft, script)
 
 
 def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]]:
@@ -102,7 +122,7 @@ def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]
 
     Raises VariantError where the variant cannot be found at all.
     """
-    reading = _read(resolve(name_or_path), with_script=False)
+    reading = _read(resolve(name_or_path))
     return reading.draft, _in_order(reading)
 
 
@@ -132,21 +152,19 @@ def _title(path: Path) -> str:
     return title if isinstance(title, str) else ""
 
 
-def _read(path: Path, *, with_script: bool) -> _Reading:
+def _read(path: Path) -> _Reading:
     opened = open_variant(path)
     reading = _Reading(path, opened.diagnostics)
     if opened.node is None:
         return reading
     reading.report = Report(opened.node, opened.diagnostics)
     try:
-        reading.spec = VariantSpec.model_validate(opened.node.plain())
+        spec = VariantSpec.model_validate(opened.node.plain())
     except ValidationError as error:
         reading.report.add_shape_errors(error, opened.broken)
         _check_the_rest(opened.node, error, reading.report)
         return reading
-    reading.draft = assemble(reading.spec, reading.report)
-    if with_script and reading.draft is not None:
-        _read_script(reading, reading.draft, reading.report)
+    reading.draft = assemble(spec, reading.report)
     return reading
 
 
@@ -180,25 +198,29 @@ def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
     report.diagnostics += [one for one in second.diagnostics if one.code not in _KNOCK_ON]
 
 
-def _read_script(reading: _Reading, draft: Draft, report: Report) -> None:
+def _find_script(reading: _Reading) -> _Script | None:
+    """Return the rule script of a variant, or None and a mistake where it cannot be had."""
+    draft, report = reading.draft, reading.report
+    if draft is None or report is None:
+        return None
+    home = reading.path.parent
     stem = draft.spec.rules or reading.path.stem
-    reading.script = find_script(stem, reading.path.parent)
-    if reading.script is None:
+    path = find_script(stem, home)
+    if path is None:
         mend = f'write {stem}.rules beside this file, or name another with rules = "..."'
         report.add("V204", ("rules",), f"there is no rule script `{stem}.rules`", mend)
-        return
-    text = read_text(reading.script)
-    if not isinstance(text, str):
-        reading.diagnostics += text
-        return
-    from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
+        return None
+    text = read_text(path)
+    if isinstance(text, str):
+        return _Script(path, text, home)
+    reading.diagnostics += text
+    return None
 
-    vocabulary = vocabulary_of(draft)
-    home = reading.path.parent
-    made = compile_script(
-        text, str(reading.script), vocabulary, lambda name: read_library(name, home)
-    )
-    if isinstance(made, list):
-        reading.diagnostics += made
-    else:
-        reading.program = made
+
+def _script_mistakes(draft: Draft | None, script: _Script | None) -> list[Diagnostic]:
+    from rulelang.compile import check_script  # noqa: PLC0415  the parser is slow to import
+
+    if draft is None or script is None:
+        return []
+    words = vocabulary_of(draft)
+    return list(check_script(script.text, str(script.path), words, script.library))
