@@ -122,6 +122,15 @@ class Required:
 
 
 @dataclass(frozen=True, slots=True)
+class Admission:
+    """What binds and what is open before a shot; `on` are the balls on, for the display."""
+
+    required: tuple[Required, ...] = ()
+    offers: tuple[Offer, ...] = ()
+    on: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
 class Decisions:
     """Everything decided, ready to be carried out.
 

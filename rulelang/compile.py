@@ -1,0 +1,304 @@
+"""From a script's text to a Program, or to all its mistakes.
+
+One idea: reading, naming, kinds and meaning are passes that go on after a mistake, so an author
+hears of all of them together. Invariant: check_script never raises for a mistake of the author.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rulelang import code as k
+from rulelang import syntax as s
+from rulelang.code import Code, Mistake
+from rulelang.declarations import Declarations
+from rulelang.diagnostics import Diagnostic, ScriptError
+from rulelang.expressions import Expressions
+from rulelang.meaning import check_meaning
+from rulelang.parse import parse
+from rulelang.program import (
+    CONSEQUENCE,
+    SECTIONS,
+    STAGE,
+    CompiledRule,
+    Consequence,
+    Program,
+    RuleInfo,
+)
+from rulelang.scope import Scope
+from rulelang.statements import SECTION_OF, Statements
+from rulelang.syntax import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rulelang.vocabulary import Vocabulary
+
+
+def compile_script(
+    source: str,
+    filename: str,
+    vocabulary: Vocabulary,
+    library: Callable[[str], tuple[str, str] | None],
+    cache: Path | None = None,
+) -> Program:
+    """Compile a script; `library` gives (source, filename) of a script that `uses` names.
+
+    `cache` is a folder for the grammar's tables. Raises ScriptError with every mistake.
+    """
+    work = _Work(vocabulary, library, cache)
+    program = work.compile(source, filename)
+    errors = [d for d in work.told() if d.severity == "error"]
+    if errors or program is None:
+        raise ScriptError(tuple(errors))
+    return program
+
+
+def check_script(
+    source: str,
+    filename: str,
+    vocabulary: Vocabulary,
+    library: Callable[[str], tuple[str, str] | None],
+    cache: Path | None = None,
+) -> tuple[Diagnostic, ...]:
+    """Return every mistake and warning of a script, in the order of files and lines."""
+    work = _Work(vocabulary, library, cache)
+    work.compile(source, filename)
+    return work.told()
+
+
+@dataclass
+class _Work:
+    vocabulary: Vocabulary
+    library: Callable[[str], tuple[str, str] | None]
+    cache: Path | None
+    scripts: list[s.Script] = field(default_factory=list)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    consequences: list[Consequence] = field(default_factory=list)
+
+    def told(self) -> tuple[Diagnostic, ...]:
+        """Return the diagnostics in order, each once."""
+        order = {script.file: n for n, script in enumerate(self.scripts)}
+        unique = {(d.file, d.line, d.column, d.code): d for d in self.diagnostics}
+        found = sorted(
+            unique.values(), key=lambda d: (order.get(d.file, 0), d.line, d.column, d.code)
+        )
+        return tuple(found)
+
+    def tell(self, script: s.Script, trouble: Mistake, severity: str = "error") -> None:
+        """Keep a mistake with its place and source line."""
+        if trouble.silent:
+            return
+        at = trouble.at
+        lines = script.source.split("\n")
+        snippet = lines[at.line - 1] if at.line <= len(lines) else ""
+        width = min(max(1, at.end - at.start), max(1, len(snippet) - at.column + 1))
+        self.diagnostics.append(
+            Diagnostic(
+                trouble.code, script.file, at.line, at.column, trouble.message, trouble.mend,
+                snippet, width, "", severity,
+            )  # fmt: skip
+        )
+
+    def compile(self, source: str, filename: str) -> Program | None:
+        """Run every pass; None where the mistakes leave nothing to run."""
+        self.read(source, filename, ())
+        declarations = Declarations(self.vocabulary, self.scripts, self.tell)
+        scope = declarations.scope
+        homes = self.homes(scope)
+        rules = self.rules(scope)
+        self.defines(scope)
+        on = self.balls_on(scope)
+        check_meaning(declarations, rules, self.scripts, self.tell)
+        if any(d.severity == "error" for d in self.diagnostics):
+            return None
+        return self.program(declarations, scope, rules, homes, on)
+
+    def read(self, source: str, filename: str, above: tuple[str, ...]) -> None:
+        """Parse a script and those it uses; the used come first."""
+        script, mistakes = parse(source, filename, self.cache)
+        self.diagnostics.extend(mistakes)
+        for node in script.declarations:
+            if not isinstance(node, s.Header) or node.word != "uses":
+                continue
+            found = self.library(node.text)
+            if found is None or len(above) > 16:
+                message = f'there is no script "{node.text}" to use'
+                self.tell(script, Mistake("R204", node.at, message, "look for it in the rules folder"))
+            elif found[1] not in above and found[1] not in [x.file for x in self.scripts]:
+                self.read(found[0], found[1], (*above, filename))
+        self.scripts.append(script)
+
+    def homes(self, scope: Scope) -> list[tuple[k.Run, str]]:
+        """Compile the home declarations."""
+        made = []
+        for script in self.scripts:
+            for node in script.declarations:
+                if not isinstance(node, s.Home):
+                    continue
+                try:
+                    balls = Expressions(scope, script.source).want(node.balls, k.BALLS)
+                    made.append((balls.run, scope.place("spot", node.spot, node.at)))
+                except Mistake as trouble:
+                    self.blame(scope, script, trouble)
+        return made
+
+    def defines(self, scope: Scope) -> None:
+        """Compile the defines that no rule reads, for their mistakes."""
+        for script in self.scripts:
+            for node in script.declarations:
+                if isinstance(node, s.Define) and scope.defines.get(node.name) is node:
+                    self._define(scope, script, node)
+                if isinstance(node, s.Fact) and node.asked_on is not None:
+                    try:
+                        Expressions(scope, script.source).want(node.asked_on, k.BALLS)
+                    except Mistake as trouble:
+                        self.blame(scope, script, trouble)
+
+    def _define(self, scope: Scope, script: s.Script, node: s.Define) -> None:
+        used = set(scope.used)
+        try:
+            Expressions(scope, script.source).defined(node.name, node.at)
+        except Mistake as trouble:
+            self.blame(scope, script, trouble)
+        scope.used = (scope.used - {node.name}) | (used & {node.name})
+
+    def balls_on(self, scope: Scope) -> k.Run | None:
+        """Compile the define `balls-on`, which the display shows before a shot."""
+        if "balls-on" not in scope.defines:
+            return None
+        scope.used.add("balls-on")
+        try:
+            reader = Expressions(scope, "", frozen=True)
+            node = s.Name(s.Span(1, 1, 0, 0), "balls-on")
+            return reader.want(node, k.BALLS).run
+        except Mistake:
+            return None
+
+    def blame(self, scope: Scope, script: s.Script, trouble: Mistake) -> None:
+        """Tell a mistake where it stands, which may be in a define of another script."""
+        owner = scope.owners.get(trouble.owner, script)
+        self.tell(owner, trouble)
+
+    def rules(self, scope: Scope) -> list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]]:
+        """Compile every rule that can be compiled."""
+        made = []
+        for script in self.scripts:
+            for rule in script.rules:
+                number = len(made)
+                try:
+                    compiled, codes = self._rule(scope, script, rule, number)
+                except Mistake as trouble:
+                    self.blame(scope, script, trouble)
+                else:
+                    made.append((script, rule, compiled, codes))
+        return made
+
+    def _rule(
+        self, scope: Scope, script: s.Script, rule: s.Rule, number: int
+    ) -> tuple[CompiledRule, list[Code]]:
+        section = rule.section or _home_of(rule)
+        for phase in rule.phases:
+            scope.phase(phase, rule.at)
+        statements = Statements(scope, script.source, section, number, self.consequences)
+        run = statements.body(rule.body)
+        end = rule.body[-1].at.end
+        text = script.source[rule.at.start : end].strip()
+        name = rule.name or " ".join(text.split())[:60]
+        info = RuleInfo(name, section, rule.cites, text, script.file, rule.at.line)
+        stage = STAGE.get(section, CONSEQUENCE)
+        for made in statements.codes:
+            if made.since > stage:
+                message = f"`{made.text}` is decided later than in `{section}:`"
+                raise Mistake("R402", rule.at, message, "read it in a later section")
+        compiled = CompiledRule(
+            number, info, stage, _top(run, rule.phases), statements.late, (),
+            tuple(statements.conditions),
+        )  # fmt: skip
+        return compiled, statements.codes
+
+    def program(
+        self,
+        declarations: Declarations,
+        scope: Scope,
+        rules: list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]],
+        homes: list[tuple[k.Run, str]],
+        on: k.Run | None,
+    ) -> Program:
+        """Put the parts together."""
+        sections: dict[str, list[CompiledRule]] = {name: [] for name in SECTIONS}
+        for compiled in with_overrides(rules):
+            sections.setdefault(compiled.info.section, []).append(compiled)
+        fouls: dict[str, tuple[str, ...]] = {}
+        for _, rule, _, _ in rules:
+            for name in fouls_of(rule.body):
+                fouls[name] = (*fouls.get(name, ()), *(c for c in rule.cites if c not in fouls.get(name, ())))
+        return Program(
+            title=declarations.header("game"),
+            rulebook=declarations.header("cites"),
+            phases=scope.phases,
+            tracked=dict(scope.tracks),
+            facts=dict(scope.facts),
+            fouls=fouls,
+            options=tuple(scope.options),
+            rules=tuple(compiled.info for _, _, compiled, _ in rules),
+            settled_within=float(declarations.header("settled") or 0),
+            vocabulary=self.vocabulary,
+            compiled={name: tuple(found) for name, found in sections.items()},
+            consequences=tuple(self.consequences),
+            bits=dict(scope.bits),
+            names={bit: name for name, bit in scope.bits.items()},
+            values=dict(scope.values),
+            ball_mask=scope.balls,
+            memo_size=scope.memo_size,
+            staged=tuple(scope.staged),
+            homes=tuple(homes),
+            spotting=declarations.header("spotting"),
+            on=on,
+        )
+
+
+def with_overrides(
+    rules: list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]],
+) -> list[CompiledRule]:
+    """Return the compiled rules, each with the numbers of the rules it overrides."""
+    numbers: dict[str, list[int]] = {}
+    for _, rule, compiled, _ in rules:
+        numbers.setdefault(rule.name, []).append(compiled.number)
+    made = []
+    for _, rule, compiled, _ in rules:
+        over = tuple(n for name, _ in rule.overrides for n in numbers.get(name, []))
+        made.append(
+            CompiledRule(
+                compiled.number, compiled.info, compiled.stage, compiled.run, compiled.late, over,
+                compiled.conditions, compiled.said,
+            )  # fmt: skip
+        )
+    return made
+
+
+def fouls_of(body: tuple[Any, ...]) -> list[str]:
+    """Return the names of the fouls that a body finds."""
+    return [node.name for node in walk(body) if isinstance(node, s.Foul)]
+
+
+def _home_of(rule: s.Rule) -> str:
+    """Return the section of a rule outside any section: that of its first action."""
+    for node in walk(rule.body):
+        if type(node) in SECTION_OF:
+            return SECTION_OF[type(node)]
+    return "fouls"
+
+
+def _top(run: Any, phases: tuple[str, ...]) -> Any:
+    wanted = frozenset(phases)
+
+    def fire(c: Any) -> list[Any] | None:
+        if wanted and c.phase not in wanted:
+            return None
+        out: list[Any] = []
+        return out if run(c, out) else None
+
+    return fire

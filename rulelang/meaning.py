@@ -1,0 +1,160 @@
+"""What is wrong with a script as a whole: overrides, circles, phases, unused names, clashes.
+
+One idea: each check looks at all rules together and tells what it can prove.
+Invariant: an error here is certain; what is only likely is a warning.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rulelang import syntax as s
+from rulelang.code import Mistake
+from rulelang.scope import nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rulelang.code import Code
+    from rulelang.declarations import Declarations
+    from rulelang.program import CompiledRule
+
+    Ruled = tuple[s.Script, s.Rule, CompiledRule, list[Code]]
+    Tell = Callable[..., None]
+
+
+def check_meaning(
+    declarations: Declarations, rules: list[Ruled], scripts: list[s.Script], tell: Tell
+) -> None:
+    """Tell every mistake of meaning, and the lints as warnings."""
+    written = [(script, rule) for script in scripts for rule in script.rules]
+    _names(written, tell)
+    _overrides(written, tell)
+    _circles(written, tell)
+    _clashes(rules, tell)
+    _phases(declarations, scripts, tell)
+    _unused(declarations, scripts, tell)
+    if declarations.header("cites"):
+        _cites(written, tell)
+
+
+def _names(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
+    seen: dict[str, s.Script] = {}
+    for script, rule in written:
+        if rule.name and rule.name in seen:
+            message = f'there are two rules "{rule.name}"'
+            tell(script, Mistake("R410", rule.at, message, "give one of them another name"))
+        seen.setdefault(rule.name, script)
+
+
+def _overrides(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
+    sections = {rule.name: rule.section for _, rule in written}
+    for script, rule in written:
+        for name, at in rule.overrides:
+            if name not in sections:
+                mend = nearest(name, [n for n in sections if n]) or "name a rule of this game"
+                tell(script, Mistake("R403", at, f'there is no rule "{name}"', mend))
+            elif sections[name] != rule.section:
+                message = f'"{name}" stands in `{sections[name]}:`, this rule in `{rule.section}:`'
+                mend = "a rule can override rules of its own section"
+                tell(script, Mistake("R403", at, message, mend))
+
+
+def _circles(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
+    graph = {rule.name: [name for name, _ in rule.overrides] for _, rule in written}
+    for script, rule in written:
+        path, seen = list(graph.get(rule.name, ())), set()
+        while path:
+            name = path.pop()
+            if name == rule.name:
+                message = f'"{rule.name}" overrides itself, through others'
+                tell(script, Mistake("R404", rule.at, message, "drop one `overrides`"))
+                break
+            if name not in seen:
+                seen.add(name)
+                path.extend(graph.get(name, ()))
+
+
+def _clashes(rules: list[Ruled], tell: Tell) -> None:
+    """Tell of two rules that decide one thing differently under the same written condition."""
+    seen: dict[tuple[Any, ...], tuple[s.Rule, str]] = {}
+    overriding = {
+        (rule.name, name) for _, rule, _, _ in rules for name, _ in rule.overrides
+    }
+    for script, rule, compiled, _ in rules:
+        for condition, action in _decided(rule):
+            key = (compiled.info.section, rule.phases, _plain(condition), type(action))
+            told = _plain(action)
+            if key in seen and seen[key][1] != told:
+                other = seen[key][0]
+                if {(rule.name, other.name), (other.name, rule.name)} & overriding:
+                    continue
+                message = f'this rule and "{other.name}" (line {other.at.line}) decide differently'
+                mend = f'say `overrides "{other.name}"`, or change a condition'
+                tell(script, Mistake("R401", rule.at, message, mend))
+            seen.setdefault(key, (rule, told))
+
+
+def _decided(rule: s.Rule) -> list[tuple[Any, Any]]:
+    """Return (condition, action) of decisions with one value at the top of a rule."""
+    found = []
+    for node in rule.body:
+        pairs = [(None, node)]
+        if isinstance(node, s.If):
+            pairs = [(node.branches[0][0], inner) for inner in node.branches[0][1]]
+        found.extend(
+            (c, a) for c, a in pairs if isinstance(a, s.Turn | s.GoToPhase | s.GiveInHand)
+        )
+    return found
+
+
+def _plain(node: Any) -> str:
+    """Return a tree as text without its places."""
+    if isinstance(node, tuple):
+        return "(" + ",".join(_plain(part) for part in node) + ")"
+    if hasattr(node, "__slots__") and hasattr(node, "at"):
+        names = [name for name in type(node).__dataclass_fields__ if name != "at"]
+        return type(node).__name__ + _plain(tuple(getattr(node, name) for name in names))
+    return repr(node)
+
+
+def _phases(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> None:
+    reached = {
+        node.phase
+        for script in scripts
+        for rule in script.rules
+        for node in s.walk(rule.body)
+        if isinstance(node, s.GoToPhase)
+    }
+    for script, name, at in declarations.phase_places[1:]:
+        if name not in reached:
+            message = f'no rule leads to the phase "{name}"'
+            mend = f"say `go to phase {name}` in a rule, or drop the phase"
+            tell(script, Mistake("R406", at, message, mend), "warning")
+
+
+def _unused(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> None:
+    scope = declarations.scope
+    if not any(script.rules for script in scripts):
+        return
+    for name, owner in scope.owners.items():
+        if name not in scope.used and name not in scope.poisoned:
+            at = _place_of(owner, name)
+            if at is not None:
+                message = f'"{name}" is never used'
+                tell(owner, Mistake("R407", at, message, "drop it"), "warning")
+
+
+def _place_of(script: s.Script, name: str) -> s.Span | None:
+    for node in script.declarations:
+        if isinstance(node, s.Define | s.Track | s.Fact) and node.name == name:
+            return node.at
+    return None
+
+
+def _cites(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
+    for script, rule in written:
+        if not rule.cites:
+            message = "this rule cites no section of the rulebook"
+            mend = 'say `rule "..." [section]:`'
+            tell(script, Mistake("R408", rule.at, message, mend), "warning")

@@ -1,0 +1,129 @@
+"""From text to tree: the grammar, loaded once, and every mistake of the surface at once.
+
+One idea: a text that does not parse as a whole is parsed piece by piece, each rule and
+declaration on its own, so that one mistake hides no other.
+Invariant: line numbers are those of the text, whatever piece is parsed.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from lark import Lark
+from lark.exceptions import UnexpectedInput
+
+from rulelang import build
+from rulelang.diagnostics import Diagnostic
+from rulelang.indent import BadDedent, Indentation
+from rulelang.surface import explain, scan
+from rulelang.syntax import Script
+
+_GRAMMAR = Path(__file__).with_name("grammar.lark")
+
+
+@cache
+def _parser(folder: str | None, *, strict: bool = False) -> Lark:
+    stored: Any = False if folder is None else str(Path(folder) / "rulelang.grammar")
+    return Lark(
+        _GRAMMAR.read_text(encoding="utf-8"),
+        parser="lalr",
+        lexer="basic",
+        postlex=Indentation(),
+        propagate_positions=True,
+        maybe_placeholders=True,
+        strict=strict,
+        cache=stored,
+    )
+
+
+def grammar(folder: Path | None = None, *, strict: bool = False) -> Lark:
+    """Return the parser; with `folder` its tables are kept there between processes."""
+    return _parser(None if folder is None else str(folder), strict=strict)
+
+
+def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, list[Diagnostic]]:
+    """Return the tree of `source` and the mistakes of its surface, all of them.
+
+    Where there are mistakes, the tree holds what could be read.
+    """
+    source = source.replace("\r\n", "\n")
+    if not source.endswith("\n"):
+        source += "\n"
+    mistakes = scan(source, file)
+    if mistakes:
+        return Script(file, source, (), ()), mistakes
+    parser = grammar(cache)
+    tree = _try(parser, source)
+    if not isinstance(tree, Exception):
+        return build.script(tree, file, source), []
+    return _piecewise(parser, source, file)
+
+
+def _try(parser: Lark, text: str) -> Any:
+    try:
+        return parser.parse(text)
+    except (UnexpectedInput, BadDedent) as trouble:
+        return trouble
+
+
+def _piecewise(parser: Lark, source: str, file: str) -> tuple[Script, list[Diagnostic]]:
+    found: list[Diagnostic] = []
+    declarations: list[Any] = []
+    rules: list[Any] = []
+    for piece in _pieces(source):
+        tree = _try(parser, piece)
+        if isinstance(tree, Exception):
+            found.append(explain(tree, source, file, parser))
+            continue
+        part = build.script(tree, file, source)
+        declarations.extend(part.declarations)
+        rules.extend(part.rules)
+    unique = {(d.line, d.column): d for d in found}
+    return Script(file, source, tuple(declarations), tuple(rules)), list(unique.values())
+
+
+def _pieces(source: str) -> list[str]:
+    """Cut a text into top-level pieces, and sections into their rules, each in its place."""
+    lines = source.split("\n")
+    starts = [n for n, line in enumerate(lines) if line[:1] not in ("", " ", "#")]
+    starts = [n for n in starts if not lines[n].startswith("otherwise")]
+    pieces: list[str] = []
+    for number, start in enumerate(starts):
+        end = starts[number + 1] if number + 1 < len(starts) else len(lines)
+        if _SECTION.match(lines[start]):
+            pieces.extend(_rules(lines, start, end))
+        else:
+            pieces.append(_keep(lines, [(start, end)]))
+    return pieces
+
+
+_SECTION = re.compile(
+    r"(before shot|fouls|points|turn|table|next shot|ending|at \w+ \w+)( in phase [^:]*)?:\s*(#.*)?$"
+)
+
+
+def _rules(lines: list[str], start: int, end: int) -> list[str]:
+    body = [n for n in range(start + 1, end) if lines[n].strip() and lines[n].strip()[0] != "#"]
+    if not body:
+        return [_keep(lines, [(start, end)])]
+    depth = min(len(lines[n]) - len(lines[n].lstrip()) for n in body)
+    heads = [n for n in body if len(lines[n]) - len(lines[n].lstrip()) == depth]
+    heads = [n for n in heads if not lines[n].lstrip().startswith("otherwise")]
+    heads = heads or body[:1]
+    heads[0] = body[0]
+    ends = [*heads[1:], end]
+    return [
+        _keep(lines, [(start, start + 1), (a, b)]) for a, b in zip(heads, ends, strict=True)
+    ]
+
+
+def _keep(lines: list[str], ranges: list[tuple[int, int]]) -> str:
+    """Return the text with all characters outside the ranges of lines made blank lines."""
+    kept = [""] * len(lines)
+    for a, b in ranges:
+        kept[a:b] = lines[a:b]
+    last = max(b for _, b in ranges)
+    return "\n".join(kept[:last]) + "\n"

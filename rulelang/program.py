@@ -1,0 +1,123 @@
+"""A checked script, ready to judge shots.
+
+One idea: everything that can be decided before a shot is decided here, once; a Program never
+changes and may serve many threads. Invariant: a Program has no mistake of its author in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from rulelang.code import Code, Run
+    from rulelang.vocabulary import Value, Vocabulary
+    from rulelang.watch import Watch
+
+SECTIONS = ("before shot", "fouls", "points", "turn", "table", "next shot", "ending")
+STAGE = {name: number for number, name in enumerate(SECTIONS)}
+CONSEQUENCE = len(SECTIONS)
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """A tracked value: `scope` is "shot", "turn", "game" or "match".
+
+    `start` is the value it starts with; "breaker" stands for the number of the player who
+    breaks. `per_player`: one value for each player.
+    """
+
+    name: str
+    scope: str
+    per_player: bool
+    start: Value
+    by_breaker: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FactDecl:
+    """A fact that only an eye, or positions, can tell; `kind` as in a script, `values` allowed."""
+
+    name: str
+    kind: str
+    default: Value | None
+    values: tuple[str, ...] = ()
+    predicate: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RuleInfo:
+    """A rule as the script tells it; `text` is its source."""
+
+    name: str
+    section: str
+    cites: tuple[str, ...]
+    text: str
+    file: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One tested condition of a rule, for the explanation."""
+
+    code: Code
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledRule:
+    """A rule's closure and what it overrides, by numbers of rules.
+
+    `run` returns the decisions of a rule that fired, None for a silent one. `late`: a rule of
+    the fouls that speaks of fouls. `conditions` are those of its outermost `if`.
+    """
+
+    number: int
+    info: RuleInfo
+    stage: int
+    run: Callable[[Watch], list[tuple[Any, ...]] | None]
+    late: bool
+    overrides: tuple[int, ...]
+    conditions: tuple[Code, ...]
+    said: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Consequence:
+    """What happens when an option is chosen; `to` is the word of who it is offered to."""
+
+    key: int
+    option: str
+    to: str
+    rule: int
+    run: Callable[[Watch, list[tuple[Any, ...]]], bool]
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A whole game's rules, compiled against one vocabulary."""
+
+    title: str
+    rulebook: str
+    phases: tuple[str, ...]
+    tracked: Mapping[str, Track]
+    facts: Mapping[str, FactDecl]
+    fouls: Mapping[str, tuple[str, ...]]
+    options: tuple[str, ...]
+    rules: tuple[RuleInfo, ...]
+    settled_within: float
+    vocabulary: Vocabulary
+    compiled: Mapping[str, tuple[CompiledRule, ...]] = field(repr=False, default_factory=dict)
+    consequences: tuple[Consequence, ...] = field(repr=False, default=())
+    bits: Mapping[str, int] = field(repr=False, default_factory=dict)
+    names: Mapping[int, str] = field(repr=False, default_factory=dict)
+    values: Mapping[int, int] = field(repr=False, default_factory=dict)
+    ball_mask: int = 0
+    memo_size: int = 0
+    staged: tuple[int, ...] = ()
+    homes: tuple[tuple[Run, str], ...] = field(repr=False, default=())
+    spotting: str = ""
+    on: Run | None = field(repr=False, default=None)

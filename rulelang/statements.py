@@ -1,0 +1,362 @@
+"""Actions, branches, loops and offers, compiled to closures that write decisions.
+
+One idea: a statement is a function of the watch that appends plain tuples and says whether it
+did anything; what the tuples mean is the evaluator's business.
+Invariant: running a statement changes nothing but the list it is given and `it`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rulelang import code as k
+from rulelang import syntax as s
+from rulelang.code import Code, Mistake
+from rulelang.expressions import Expressions, leader, opponent, singles
+from rulelang.program import Consequence
+from rulelang.scope import nearest
+
+if TYPE_CHECKING:
+    from rulelang.scope import Scope
+    from rulelang.watch import Watch
+
+Decision = tuple[Any, ...]
+Run = Callable[["Watch", list[Decision]], bool]
+
+SECTION_OF: dict[type, str] = {
+    s.Foul: "fouls",
+    s.Award: "points",
+    s.Write: "points",
+    s.Turn: "turn",
+    s.GoToPhase: "turn",
+    s.SpotBalls: "table",
+    s.RemoveBalls: "table",
+    s.RackAgain: "table",
+    s.RestoreTable: "table",
+    s.GiveInHand: "next shot",
+    s.OfferChoices: "next shot",
+    s.Require: "before shot",
+    s.Win: "ending",
+    s.Seat: "ending",
+}
+_ALSO: dict[type, tuple[str, ...]] = {
+    s.Write: ("turn", "table", "next shot", "ending"),
+    s.OfferChoices: ("before shot",),
+    s.NothingHappens: (
+        "before shot", "fouls", "points", "turn", "table", "next shot", "ending",
+    ),
+}  # fmt: skip
+
+
+class Statements:
+    """Compiles the statements of one rule."""
+
+    def __init__(
+        self, scope: Scope, source: str, section: str, rule: int, consequences: list[Consequence]
+    ) -> None:
+        self.x = Expressions(scope, source)
+        self.scope = scope
+        self.section = section
+        self.rule = rule
+        self.consequences = consequences
+        self.conditions: list[Code] = []
+        self.codes: list[Code] = []
+        self.late = False
+        self.said: list[str] = []
+        self.depth = 0
+        self.free = False
+
+    def body(self, nodes: tuple[s.Statement, ...]) -> Run:
+        """Compile statements that follow each other."""
+        self.depth += 1
+        runs = [self.statement(node) for node in nodes]
+        self.depth -= 1
+        if len(runs) == 1:
+            return runs[0]
+
+        def run(c: Watch, out: list[Decision]) -> bool:
+            did = False
+            for one in runs:
+                did = one(c, out) or did
+            return did
+
+        return run
+
+    def statement(self, node: s.Statement) -> Run:
+        """Compile one statement."""
+        if isinstance(node, s.If):
+            return self._if(node)
+        if isinstance(node, s.ForEach):
+            return self._for_each(node)
+        if not self.free:
+            self._belongs(node)
+        if isinstance(node, s.OfferChoices):
+            return self._offer(node)
+        act = _ACTIONS[type(node)](self, node)
+        return _acting(act)
+
+    def _belongs(self, node: s.Statement) -> None:
+        home = SECTION_OF.get(type(node), "")
+        allowed = (home, *_ALSO.get(type(node), ()))
+        moment = self.section.startswith(("game", "match", "turn ")) or " " in self.section
+        if self.section in allowed or (moment and self.section not in ("before shot", "next shot")):
+            return
+        if isinstance(node, s.Plays):
+            raise Mistake(
+                "R305", node.at, "who plays is said by `turn`, or in the consequences of an option",
+                "say `turn passes to ...`",
+            )  # fmt: skip
+        raise Mistake(
+            "R305",
+            node.at,
+            f"this action does not belong to `{self.section}:`",
+            f"move the rule to `{home}:`",
+        )
+
+    def value(self, node: s.Expr, kind: str, domain: str = "") -> Code:
+        """Compile an operand and keep it for the checks of the rule."""
+        made = self.x.want(node, kind, domain)
+        self.codes.append(made)
+        return made
+
+    def _if(self, node: s.If) -> Run:
+        pairs: list[tuple[Any, Run]] = []
+        for condition, body in node.branches:
+            test = self.x.truth(condition)
+            self.codes.append(test)
+            if self.depth <= 1 and not self.free:
+                self.conditions.append(test)
+            self.late = self.late or test.fouls
+            pairs.append((test.truth, self.body(body)))
+        otherwise = self.body(node.otherwise) if node.otherwise else None
+        if len(pairs) == 1 and otherwise is None:
+            test, then = pairs[0]
+            return lambda c, out: then(c, out) if test(c) else False
+
+        def run(c: Watch, out: list[Decision]) -> bool:
+            for condition, body in pairs:
+                if condition(c):
+                    return body(c, out)
+            return otherwise(c, out) if otherwise is not None else False
+
+        return run
+
+    def _for_each(self, node: s.ForEach) -> Run:
+        if node.over is None:
+            body = self.body(node.body)
+
+            def players(c: Watch, out: list[Decision]) -> bool:
+                did = False
+                for player in range(1, c.players + 1):
+                    c.player = player
+                    did = body(c, out) or did
+                return did
+
+            return players
+        balls = self.value(node.over, k.BALLS).run
+        body = self.body(node.body)
+
+        def run(c: Watch, out: list[Decision]) -> bool:
+            did = False
+            before = c.it
+            for one in singles(balls(c)):
+                c.it = one
+                did = body(c, out) or did
+            c.it = before
+            return did
+
+        return run
+
+    def _offer(self, node: s.OfferChoices) -> Run:
+        who = self.value(node.who, k.PLAYER).run
+        choices: list[tuple[Any, str, int]] = []
+        for choice in node.choices:
+            test = None
+            if choice.condition is not None:
+                made = self.x.truth(choice.condition)
+                self.codes.append(made)
+                test = made.truth
+            choices.append((test, choice.option, self._consequence(choice, node.who)))
+            self.scope.options.setdefault(choice.option)
+            self.said.append(f"offers {choice.option}")
+
+        def run(c: Watch, out: list[Decision]) -> bool:
+            did = False
+            for test, option, key in choices:
+                if test is None or test(c):
+                    out.append(("offer", who(c), option, key))
+                    did = True
+            return did
+
+        return run
+
+    def _consequence(self, choice: s.Choice, to: s.Expr) -> int:
+        inner = Statements(
+            self.scope, self.x.source, "consequence", self.rule, self.consequences
+        )
+        inner.free = True
+        run = inner.body(choice.body)
+        words = to.words if isinstance(to, s.Player) else "chooser"
+        first = choice.body[0].at.start
+        last = choice.body[-1].at.end
+        text = " ".join(self.x.source[first:last].split())
+        key = len(self.consequences)
+        self.consequences.append(Consequence(key, choice.option, words, self.rule, run, text))
+        return key
+
+
+def _acting(act: Callable[[Watch], Decision | None]) -> Run:
+    def run(c: Watch, out: list[Decision]) -> bool:
+        made = act(c)
+        if made is not None:
+            out.append(made)
+        return True
+
+    return run
+
+
+Act = Callable[["Watch"], Decision | None]
+
+
+def _foul(x: Statements, node: s.Foul) -> Act:
+    worth = None if node.worth is None else x.value(node.worth, k.NUMBER).run
+    name, alone = node.name, node.alone
+    if worth is None:
+        made = ("foul", name, 0, alone)
+        return lambda _c: made
+    return lambda c: ("foul", name, worth(c), alone)
+
+
+def _award(x: Statements, node: s.Award) -> Act:
+    amount, who = x.value(node.amount, k.NUMBER).run, x.value(node.who, k.PLAYER).run
+    sign = 1 if node.verb == "award" else -1
+    return lambda c: ("points", who(c), sign * amount(c))
+
+
+def _write(x: Statements, node: s.Write) -> Act:
+    scope, name = x.scope, node.name
+    if name not in scope.tracks:
+        mend = nearest(name, scope.tracks) or f"declare it: track {name} per game"
+        raise Mistake("R206", node.at, f'"{name}" is not tracked', mend)
+    track = scope.tracks[name]
+    scope.used.add(name)
+    if track.per_player and node.who is None:
+        raise Mistake(
+            "R303", node.at, f'"{name}" is kept for each player', f"say `{name} of shooter`"
+        )
+    if not track.per_player and node.who is not None:
+        raise Mistake("R304", node.at, f'"{name}" is not kept for each player', f"say `{name}`")
+    who = (lambda _c: None) if node.who is None else x.value(node.who, k.PLAYER).run
+    if node.value is None:
+        return lambda c: ("write", "reset", name, who(c), None)
+    kind = scope.track_kinds[name]
+    if node.verb == "add" and kind != k.NUMBER:
+        raise Mistake("R301", node.at, f'"{name}" is not a number', "say `set` instead of `add`")
+    value = x.value(node.value, kind, "name" if kind == k.NAME else "").run
+    op = "add" if node.verb == "add" else "set"
+    return lambda c: ("write", op, name, who(c), value(c))
+
+
+def _assign(x: Statements, node: s.Write) -> Act:
+    if node.verb != "assign":
+        return _write(x, node)
+    value = node.value
+    if not isinstance(value, s.Name) or x.scope.group(value.name) is None:
+        at = node.at if value is None else value.at
+        raise Mistake("R301", at, "a group of balls is due after `assign`", "name a group")
+    return _write(x, node)
+
+
+def _turn(x: Statements, node: s.Turn) -> Act:
+    if node.continues:
+        return lambda _c: ("turn", True, None)
+    if node.who is None:
+        return lambda _c: ("turn", False, None)
+    who = x.value(node.who, k.PLAYER).run
+    return lambda c: ("turn", False, who(c))
+
+
+def _go_to_phase(x: Statements, node: s.GoToPhase) -> Act:
+    made = ("phase", x.scope.phase(node.phase, node.at))
+    x.scope.used.add(f"phase {node.phase}")
+    return lambda _c: made
+
+
+def _spot(x: Statements, node: s.SpotBalls) -> Act:
+    balls = x.value(node.balls, k.BALLS).run
+    for place in node.places:
+        if place.spot is not None:
+            x.scope.place("spot", place.spot, place.at)
+    places = tuple((place.kind, place.spot, place.toward) for place in node.places)
+    return lambda c: ("spot", balls(c), places)
+
+
+def _remove(x: Statements, node: s.RemoveBalls) -> Act:
+    balls = x.value(node.balls, k.BALLS).run
+    return lambda c: ("remove", balls(c))
+
+
+def _rerack(x: Statements, node: s.RackAgain) -> Act:
+    keeping = (lambda _c: 0) if node.keeping is None else x.value(node.keeping, k.BALLS).run
+    return lambda c: ("rerack", keeping(c))
+
+
+def _give(x: Statements, node: s.GiveInHand) -> Act:
+    who = x.value(node.who, k.PLAYER).run
+    zone = node.zone
+    if zone is not None:
+        x.scope.place("zone", zone, node.at)
+    elif x.scope.vocabulary.zones:
+        raise Mistake(
+            "R203", node.at, "the ball is in hand in no zone", f"say `in {x.scope.vocabulary.zones[0]}`"
+        )
+    return lambda c: ("hand", who(c), zone)
+
+
+def _require(x: Statements, node: s.Require) -> Act:
+    who = x.value(node.who, k.PLAYER).run
+    what = node.what if node.verb == "require" else f"may {node.what}"
+    return lambda c: ("require", who(c), what)
+
+
+def _win(x: Statements, node: s.Win) -> Act:
+    unit = "match" if node.unit == "match" else "game"
+    if node.who is None:
+        return lambda _c: ("end", unit, 0)
+    if isinstance(node.who, s.Player) and node.who.words == "leader":
+        return lambda c: ("end", unit, leader(c))
+    who = x.value(node.who, k.PLAYER).run
+    if node.verb == "wins":
+        return lambda c: ("end", unit, who(c))
+    return lambda c: ("end", unit, opponent(c, who(c)))
+
+
+def _seat(x: Statements, node: s.Seat) -> Act:
+    who = x.value(node.who, k.PLAYER).run
+    out = node.verb == "eliminate"
+    return lambda c: ("seat", who(c), out)
+
+
+def _plays(x: Statements, node: s.Plays) -> Act:
+    who = x.value(node.who, k.PLAYER).run
+    return lambda c: ("plays", who(c))
+
+
+_ACTIONS: dict[type, Callable[[Statements, Any], Act]] = {
+    s.Foul: _foul,
+    s.Award: _award,
+    s.Write: _assign,
+    s.Turn: _turn,
+    s.GoToPhase: _go_to_phase,
+    s.SpotBalls: _spot,
+    s.RemoveBalls: _remove,
+    s.RackAgain: _rerack,
+    s.RestoreTable: lambda _x, _n: lambda _c: ("restore",),
+    s.GiveInHand: _give,
+    s.Require: _require,
+    s.Win: _win,
+    s.Seat: _seat,
+    s.Plays: _plays,
+    s.NothingHappens: lambda _x, _n: lambda _c: None,
+}

@@ -1,0 +1,200 @@
+"""Mistakes of the surface, told as a person would: what stands there, what would be right.
+
+One idea: the parser knows what it expected; a few looks at the line know what was meant.
+Invariant: every mistake has a place in the text and at most one mend.
+"""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from lark.exceptions import UnexpectedCharacters, UnexpectedToken
+
+from rulelang.diagnostics import Diagnostic
+from rulelang.indent import BadDedent
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+LONGEST = 200_000
+DEEPEST = 24
+_EVENTS = {
+    "pocketed", "hit", "left", "crossed", "entered", "jumped", "toppled", "rebounded", "settled",
+    "pressed", "started", "leaned",
+}  # fmt: skip
+_PRESENT = {
+    "pockets": "pocketed", "hits": "hit", "leaves": "left", "crosses": "crossed",
+    "enters": "entered", "jumps": "jumped", "topples": "toppled", "rebounds": "rebounded",
+    "potted": "pocketed", "touches": "touched",
+}  # fmt: skip
+_OPENERS = ("if ", "otherwise", "rule ", "for each", "offer ", "fouls", "points", "ending")
+
+
+def scan(source: str, file: str) -> list[Diagnostic]:
+    """Return what can be seen without parsing: tabs, size, depth, open strings, long numbers."""
+    if len(source) > LONGEST:
+        message = f"the script has {len(source)} characters; {LONGEST} are the most"
+        return [_at("R109", file, 1, 1, message, "split it: uses ...", source)]
+    found = []
+    for number, line in enumerate(source.split("\n"), 1):
+        found.extend(_scan_line(source, file, number, line))
+    return found
+
+
+def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnostic]:
+    def one(code: str, column: int, message: str, mend: str) -> list[Diagnostic]:
+        return [_at(code, file, number, column, message, mend, source)]
+
+    if "\t" in line:
+        column = line.index("\t") + 1
+        return one("R105", column, "a tab stands here", "use blanks: four for each step")
+    code = re.sub(r'"[^"]*"', lambda m: "_" * len(m.group()), line).split("#")[0]
+    if '"' in code:
+        return one("R108", code.index('"') + 1, "the string is not closed", 'close it with "')
+    if code.count("[") > code.count("]"):
+        return one("R108", code.index("[") + 1, "the cite is not closed", "close it with ]")
+    if code.count("(") > DEEPEST or (len(line) - len(line.lstrip())) // 4 > DEEPEST:
+        return one("R109", 1, "this is nested too deep", "use a define for the inner part")
+    long_number = re.search(r"\d{10,}", code)
+    if long_number:
+        return one("R109", long_number.start() + 1, "this number is too long", "nine digits at most")
+    return []
+
+
+def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:
+    """Return the mistake that stopped the parser, with its mend."""
+    if isinstance(trouble, BadDedent):
+        message = "this line goes back to a depth that no line above it has"
+        return _at("R104", file, trouble.line, trouble.column, message, "align it with the line it belongs to", source)
+    if isinstance(trouble, UnexpectedCharacters):
+        line, column = trouble.line, trouble.column
+        sign = source.split("\n")[line - 1][column - 1 : column]
+        return _sign(file, line, column, sign, source)
+    if isinstance(trouble, UnexpectedToken):
+        return _token(trouble, source, file, parser)
+    return _at("R101", file, 1, 1, "this is not a script", "", source)
+
+
+def _sign(file: str, line: int, column: int, sign: str, source: str) -> Diagnostic:
+    mends = {
+        "=": "say `is`", "<": "say `is fewer than`", ">": "say `is more than`", "+": "say `plus`",
+        "*": "say `times`", "&": "say `and`", "|": "say `or`", "!": "say `not`", "'": 'use "',
+        "-": "say `minus`; a name has letters on both sides of its hyphen",
+        "_": "names are joined by hyphens: my-name",
+    }  # fmt: skip
+    mend = mends.get(sign, "leave it out")
+    if sign.isupper():
+        mend = "names and words are lower case"
+    return _at("R106", file, line, column, f"`{sign}` has no meaning here", mend, source)
+
+
+def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Diagnostic:
+    token = trouble.token
+    lines = source.split("\n")
+    line, column = token.line or len(lines), token.column or 1
+    text = str(token)
+    expected = _spoken(trouble.accepts or trouble.expected, parser)
+    row = lines[line - 1] if line <= len(lines) else ""
+    if token.type in ("_NL", "$END", "_DEDENT"):
+        return _line_end(token, lines, line, expected, file, source)
+    if token.type == "_INDENT":
+        return _indent(token, lines, file, source)
+    before = row[: column - 1].split()
+    last = before[-1] if before else ""
+    width = max(1, len(text))
+
+    def made(code: str, message: str, mend: str) -> Diagnostic:
+        return _at(code, file, line, column, message, mend, source, width)
+
+    if text in ("and", "or") and re.search(rf"\b{'or' if text == 'and' else 'and'}\b", row):
+        return made("R103", "`and` and `or` are mixed", "put brackets around one of them")
+    if text in _EVENTS and last in ("is", "are", "was", "were", "has", "have", "been"):
+        return made(
+            "R107", f"an event is told without `{last}`", f"say `... {text}`, without `{last}`"
+        )
+    if text in _PRESENT:
+        return made("R101", f"`{text}` is not a word of the language", f"say `{_PRESENT[text]}`")
+    if last in _PRESENT:
+        column = row[: column - 1].rstrip().rfind(last) + 1
+        width = len(last)
+        return made("R101", f"`{last}` is not a word of the language", f"say `{_PRESENT[last]}`")
+    if "`:`" in expected and len(expected) <= 14 and text not in ("and", "or"):
+        return made("R102", f"a colon is missing before `{text}`", f"write `: {text}`")
+    mend = _close(text, trouble.accepts or trouble.expected, parser)
+    previous = _close(last, None, parser) if token.type == "NAME" or last else ""
+    if not mend and last and previous and last not in _words(parser):
+        column = row[: column - 1].rstrip().rfind(last) + 1
+        return _at("R101", file, line, column, f"`{last}` does not fit here", previous, source, len(last))
+    told = f"; expected {_listed(expected)}" if expected else ""
+    return made("R101", f"`{text}` does not fit here{told}", mend)
+
+
+def _line_end(
+    token: Any, lines: list[str], line: int, expected: list[str], file: str, source: str
+) -> Diagnostic:
+    if token.type in ("$END", "_DEDENT"):
+        line = max((n for n, text in enumerate(lines, 1) if text.strip() and n <= line), default=1)
+    row = lines[line - 1].split("#")[0].rstrip()
+    column = len(row) + 1
+    if row.endswith(":"):
+        return _at("R104", file, line, column, "a body is missing after the colon", "indent what belongs to it below", source)
+    if "`:`" in expected or (row.lstrip().startswith(_OPENERS) and ":" not in row):
+        return _at("R102", file, line, column, "the colon is missing", "end the line with `:`", source)
+    if row.count("(") > row.count(")"):
+        return _at("R108", file, line, column, "the bracket is not closed", "close it with `)`", source)
+    told = f"; expected {_listed(expected)}" if expected else ""
+    return _at("R101", file, line, column, f"the line ends too early{told}", "finish the line", source)
+
+
+def _indent(token: Any, lines: list[str], file: str, source: str) -> Diagnostic:
+    line = token.end_line or 1
+    above = lines[(token.line or 1) - 1].split("#")[0].rstrip()
+    column = len(lines[line - 1]) - len(lines[line - 1].lstrip()) + 1
+    if above.lstrip().startswith(_OPENERS) and not above.endswith(":"):
+        code, message = "R102", "the colon is missing"
+        return _at(code, file, token.line, len(above) + 1, message, "end the line with `:`", source)
+    mend = "align it with the line above"
+    return _at("R104", file, line, column, "this line is indented without reason", mend, source)
+
+
+def _words(parser: Lark) -> list[str]:
+    return [t.pattern.value for t in parser.terminals if t.pattern.type == "str"]
+
+
+def _spoken(names: Any, parser: Lark) -> list[str]:
+    patterns = {t.name: t.pattern for t in parser.terminals}
+    plain = {
+        "NAME": "a name", "NUMBER": "a number", "STRING": "a text in quotes", "BALLNO": "a ball",
+        "_NL": "the end of the line", "CITE": "a cite", "_INDENT": "an indented body",
+        "_DEDENT": "the end of the body", "$END": "the end", "COLON": "`:`",
+    }  # fmt: skip
+    found = []
+    for name in names:
+        if name in plain:
+            found.append(plain[name])
+        elif name in patterns and patterns[name].type == "str":
+            found.append(f"`{patterns[name].value}`")
+    return sorted(set(found))
+
+
+def _listed(expected: list[str]) -> str:
+    some = expected[:6]
+    more = " ..." if len(expected) > len(some) else ""
+    return ", ".join(some) + more
+
+
+def _close(text: str, names: Any, parser: Lark) -> str:
+    patterns = {t.name: t.pattern for t in parser.terminals if t.pattern.type == "str"}
+    words = [p.value for n, p in patterns.items() if names is None or n in names]
+    close = get_close_matches(text, [w for w in words if w.isalpha()], 1, 0.65)
+    return f"did you mean `{close[0]}`?" if close else ""
+
+
+def _at(
+    code: str, file: str, line: int, column: int, message: str, mend: str, source: str, width: int = 1
+) -> Diagnostic:
+    lines = source.split("\n")
+    snippet = lines[line - 1] if 0 < line <= len(lines) else ""
+    return Diagnostic(code, file, line, column, message, mend, snippet, width)
