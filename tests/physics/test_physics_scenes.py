@@ -41,59 +41,63 @@ def meetings(trace):
             [(0, 0), (0.2, 0)],
             ((2.0, 0.0), STILL),
             IDEAL,
-            13.847738,
-            [(0.20059298, 0), (9.5733761, 0)],
-            [0.074119673],
+            13.8477380397,
+            [(0.20059298284, 0), (9.57337607606, 0)],
+            [0.07411967253253],
         ),
         (
             [(0, 0), (1, 0.02)],
             ((2.0, 0.0), STILL),
             IDEAL,
-            10.330578,
-            [(2.6492027, -1.1018304), (5.3754176, 1.6545647)],
-            [0.60771374],
+            10.3305776707,
+            [(2.64920273427, -1.10183041261), (5.37541756382, 1.6545647435)],
+            [0.60771374470526],
         ),
         (
             [(0, 0), (1, 0.02)],
             ((2.0, 0.0), STILL),
             ALCIATORE,
-            9.8106089,
-            [(2.5860187, -1.046623), (4.9440945, 1.4392297)],
-            [0.60771374],
+            9.810608919,
+            [(2.5860187498, -1.04662299813), (4.9440945152, 1.43922966246)],
+            [0.60771374470526],
         ),
         (
             [(0, 0), (0.22, 0.07)],
             ((1.2, 0.0), (-45.0, 0.0, 0.0)),
             IDEAL,
-            6.2326722,
-            [(1.9735978, -0.22645276), (1.00807, 1.3001098)],
-            [0.17465681],
+            6.23267222366,
+            [(1.97359783031, -0.226452763946), (1.00807003461, 1.30010977665)],
+            [0.17465681373297],
         ),
         (
             [(0, 0), (0.4, 0.001), (0.8, 0.004)],
             ((3.0, 0.0), STILL),
             ALCIATORE,
-            17.419536,
-            [(0.47590195, -0.02585849), (0.84516643, 0.070390404), (15.37561, -0.42233778)],
-            [0.11890989, 0.2525514],
+            17.4195362512,
+            [
+                (0.475901949494, -0.0258584900351),
+                (0.845166425402, 0.0703904035804),
+                (15.3756097816, -0.422337776763),
+            ],
+            [0.11890988632743, 0.25255140269941],
         ),
         (
             [(0, 0), (0.1, 0)],
             ((1.0, 0.0), (0.0, 140.0, 0.0)),
             IDEAL,
-            10.683132,
-            [(4.0269036, 0), (5.434055, 0)],
-            [0.041185947, 1.0018681],
+            10.6831319704,
+            [(4.02690363049, 0), (5.43405501944, 0)],
+            [0.041185947122213, 1.0018681149319],
         ),
     ],
     ids=["stop-shot", "cut", "cut with throw", "masse", "combination", "double hit"],
 )
 def test_scenes(places, motion, contact, end, final, times):
     trace = play(places, [motion], contact)
-    assert [t for t, _ in meetings(trace)] == pytest.approx(times, abs=1e-7)
-    assert trace.duration == pytest.approx(end, abs=1e-6)
+    assert [t for t, _ in meetings(trace)] == pytest.approx(times, abs=1e-12)
+    assert trace.duration == pytest.approx(end, abs=1e-9)
     for index, place in enumerate(final):
-        assert trace.final[f"b{index}"] == pytest.approx(place, rel=5e-8, abs=6e-8)
+        assert trace.final[f"b{index}"] == pytest.approx(place, abs=1e-9)
     watch(trace, size=(200.0, 200.0))
 
 
@@ -104,10 +108,10 @@ def test_one_ball_in_a_box():
     hits = [(e.time, e.cushion) for e in trace.events() if isinstance(e, CushionHit)]
     assert [name for _, name in hits] == ["left", "foot", "right", "head"]
     assert [t for t, _ in hits] == pytest.approx(
-        [0.33346811, 0.47197479, 1.8976842, 3.257475], abs=1e-7
+        [0.33346811289168, 0.47197479411861, 1.8976841885487, 3.2574749697704], abs=1e-12
     )
-    assert trace.duration == pytest.approx(5.9465043, abs=1e-6)
-    assert trace.final["b0"] == pytest.approx((-0.93291871, -0.13519816), abs=1e-7)
+    assert trace.duration == pytest.approx(5.94650425016, abs=1e-10)
+    assert trace.final["b0"] == pytest.approx((-0.932918712071, -0.135198156951), abs=1e-10)
 
 
 @pytest.mark.parametrize(
