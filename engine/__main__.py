@@ -28,7 +28,7 @@ CAMERAS = ("cue", "above", "orbit")
 def main() -> None:
     """Headstring: every cue sport is two text files, a table in TOML and a script of rules.
 
-    A game is named by its stem (snooker) or by the path of its TOML file.
+    A game is named as `list` names it, or by the path of its TOML file.
     """
 
 
@@ -77,12 +77,12 @@ def list_games(*, as_json: bool) -> None:
 
     games = list_variants()
     if as_json:
-        rows = [{"name": one.name, "title": one.title, "rulebook": one.rulebook} for one in games]
+        rows = [{"name": one.name, "title": one.title} for one in games]
         click.echo(json.dumps(rows, indent=2))
         return
     width = max((len(one.name) for one in games), default=0)
     for one in games:
-        click.echo(f"{one.name:{width}}  {one.title} ({one.rulebook})")
+        click.echo(f"{one.name:{width}}  {one.title}")
 
 
 @main.command()

@@ -60,11 +60,20 @@ def commands() -> str:
     return "\n" + "\n".join(parts)
 
 
+def keys() -> str:
+    """Return the table of keys."""
+    from engine.app.keys import BINDINGS  # noqa: PLC0415
+
+    rows = "\n".join(f"| {one.shown} | {one.about} |" for one in BINDINGS)
+    return f"| key | what it does |\n|---|---|\n{rows}\n"
+
+
 MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
     "script-codes": script_codes,
     "commands": commands,
+    "keys": keys,
 }
 
 

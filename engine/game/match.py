@@ -6,7 +6,6 @@ Invariant: the situation is what the shots, judged one after the other, made of 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -19,9 +18,12 @@ from engine.table.furniture import BallId, ZoneId
 from engine.variant.rack import lay_rack
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from engine.game.shot import Shot
     from engine.game.verdict import Verdict
     from engine.variant.variant import Value, Variant
+    from rulelang.facts import Tracked
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,11 @@ def check_settings(variant: Variant, settings: Mapping[str, Value]) -> dict[str,
         if setting.choices and value not in setting.choices:
             known = ", ".join(map(str, setting.choices))
             raise SettingError(f"the setting {name} is one of {known}, not {value!r}")
+        low, high = setting.least, setting.most
+        if isinstance(value, int) and low is not None and value < low:
+            raise SettingError(f"the setting {name} is at least {low}, not {value}")
+        if isinstance(value, int) and high is not None and value > high:
+            raise SettingError(f"the setting {name} is at most {high}, not {value}")
         values[name] = value
     return values
 
@@ -118,12 +125,12 @@ def racked(variant: Variant, seed: int) -> Rest:
     return rest
 
 
-def start_state(variant: Variant, players: int, breaker: int = 1) -> dict[str, object]:
+def start_state(variant: Variant, players: int, breaker: int = 1) -> dict[str, Tracked]:
     """Return the start value of everything the script tracks, per player as a tuple."""
     return {
         name: (start,) * players if track.per_player else start
         for name, track in variant.program.tracked.items()
-        for start in [breaker if track.start == "breaker" else track.start]
+        for start in [breaker if track.by_breaker else track.start]
     }
 
 

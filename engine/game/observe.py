@@ -115,11 +115,11 @@ def _marks(variant: Variant, trace: Trace) -> Iterator[told.Event]:
             if name in asked:
                 for crossing in crossings(line, ways):
                     yield told.LineCrossed(ball.id, name, crossing.time)
-        for name, zone in table.zones.items():
-            if name in asked:
+        for place, zone in table.zones.items():
+            if place in asked:
                 for change in zone_changes(zone, ways, table):
                     kind = told.ZoneEntered if change.entered else told.ZoneLeft
-                    yield kind(ball.id, name, change.time)
+                    yield kind(ball.id, place, change.time)
 
 
 def pieces_of(trace: Trace, ball: BallId) -> tuple[Piece, ...]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rulelang.events import (
     BallsHit,
@@ -111,7 +111,7 @@ def parse_event(text: str, vocabulary: Vocabulary | None = None) -> Event:
         match = reader.fullmatch(text)
         if match is None or _names_a_word(match):
             continue
-        event = kind(**_arguments(kind, match))
+        event = kind(**_arguments(match))
         unknown = _unknown_name(event, vocabulary) if vocabulary else None
         if unknown is None:
             return event
@@ -128,8 +128,8 @@ def _names_a_word(match: re.Match[str]) -> bool:
     return any(name in RESERVED for value in gaps for name in value.split(" and "))
 
 
-def _arguments(kind: type[Event], match: re.Match[str]) -> dict[str, object]:
-    arguments: dict[str, object] = {}
+def _arguments(match: re.Match[str]) -> dict[str, Any]:
+    arguments: dict[str, Any] = {}
     for key, value in match.groupdict().items():
         if key in {"time", "delay"}:
             arguments[key] = None if value is None else float(value)

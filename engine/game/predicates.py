@@ -1,4 +1,4 @@
-"""What positions tell and a script may ask for: snookers and clear paths.
+"""What positions tell and a script may ask for: what hides a ball, and clear paths.
 
 One idea: a predicate is a function of the balls asked about; where a position that it needs is
 not known it answers None, and the referee's stated fact or the game's default stands.
@@ -40,7 +40,7 @@ def predicates_of(
         view = _view(variant, before.rest, before.on_table, struck, origin)
         return None if view is None else path_to(view, map(BallId, targets))
 
-    def snooker(
+    def snookering(
         targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
     ) -> Value | None:
         struck = shot.struck or cue_ball_of(variant, before.shooter)
@@ -49,7 +49,7 @@ def predicates_of(
         blockers = [snookering_ball(view, map(BallId, targets)) for view in views]
         return blockers[0] if blockers and all(blockers) else None
 
-    return {"path": path, "snooker": snooker}
+    return {"path": path, "snookering-ball": snookering}
 
 
 def _view(

@@ -108,7 +108,11 @@ def _as_rules_hear(variant: Variant, before: Situation, shot: Shot) -> said.Shot
         chosen=shot.choice,
         facts=shot.facts,
         predicates=predicates_of(variant, before, shot, after),
-        rest=said.Rest(dict(after.zones), after.frozen, dict(after.covered)),
+        rest=said.Rest(
+            {ball: frozenset(zones) for ball, zones in after.zones.items()},
+            after.frozen,
+            {spot: ball for spot, ball in after.covered.items()},  # noqa: C416  NewTypes to names
+        ),
         placed=None if placed is None else zones_of(variant.world.table, placed),
     )
 

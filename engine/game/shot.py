@@ -5,7 +5,6 @@ One idea: what the player does is a value, and a mistake of the player is a Refu
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import degrees, radians
 from typing import TYPE_CHECKING
@@ -14,12 +13,15 @@ from engine.game.situation import Rest, empty
 from rulelang.facts import Call
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from engine.physics.world import Strike
     from engine.table.furniture import BallId, Point
     from engine.variant.variant import Value
     from rulelang.events import Event
 
 NO_CALL = Call()
+UNKNOWN = Rest()
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +41,7 @@ class Shot:
     facts: Mapping[str, Value] = field(default_factory=empty)
     strike: Strike | None = None
     events: tuple[Event, ...] | None = None
-    after: Rest = Rest()
+    after: Rest = UNKNOWN
 
     @property
     def is_only_choice(self) -> bool:

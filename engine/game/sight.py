@@ -1,4 +1,4 @@
-"""What a straight stroke can reach: clear paths and snookers, read off positions.
+"""What a straight stroke can reach: clear paths and what hides a ball, read off positions.
 
 One idea: a stroke is a direction; the ball it meets first is the nearest whose distance from
 the line of travel is below the two radii. Sources: WPBSA S2 R17 (snookered), S3 R14 (paths).

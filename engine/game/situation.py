@@ -7,16 +7,17 @@ never guessed. Players count from 1.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import rulelang.facts as said
-from engine.table.furniture import BallId, Point, SpotId, Table, ZoneId
 from engine.table.marks import contains
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from engine.table.furniture import BallId, Point, SpotId, Table, ZoneId
     from engine.variant.variant import Value, Variant
     from rulelang.decisions import Offer
     from rulelang.facts import Tracked
@@ -116,7 +117,7 @@ def as_rules_see(situation: Situation) -> said.Situation:
         state=situation.state,
         settings=situation.settings,
         in_hand=situation.in_hand,
-        zones=dict(situation.rest.zones),
+        zones={ball: frozenset(zones) for ball, zones in situation.rest.zones.items()},
         frozen=situation.rest.frozen,
         options=situation.options,
         breaker=situation.breaker,

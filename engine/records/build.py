@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import radians
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from engine.game.match import SettingError, balls_at_start, check_settings, start_game, start_state
@@ -20,11 +19,11 @@ from engine.physics.world import Strike
 from engine.records.record import Record, Step
 from engine.table.furniture import BallId, SpotId, ZoneId
 from engine.variant.ballset import RangeError, names_in
-from engine.variant.words import vocabulary_of
 from rulelang.decisions import Offer
 from rulelang.facts import Call
 
 if TYPE_CHECKING:
+    from pathlib import Path
     from collections.abc import Iterable, Mapping
 
     from engine.records.spec import (
@@ -68,7 +67,7 @@ class _Builder:
     def __init__(self, variant: Variant, report: Report) -> None:
         self.variant = variant
         self.report = report
-        self.words = vocabulary_of(variant)
+        self.words = variant.program.vocabulary
         self.balls = [ball.name for ball in self.words.balls]
 
     def known(self, code: str, path: KeyPath, what: str, name: str, among: Iterable[str]) -> str:

@@ -72,7 +72,7 @@ def _got(key: str, expected: object, verdict: Verdict, before: Situation) -> obj
 def _agree(key: str, expected: object, got: object, verdict: Verdict) -> bool:
     match key, expected:
         case (("fouls" | "options"), list()):
-            return set(expected) == set(got)  # type: ignore[call-overload]
+            return isinstance(got, list) and set(expected) == set(got)
         case "spotted", list():
             return _same_set(expected, list(verdict.spotted))
         case "spotted_in_order", list():

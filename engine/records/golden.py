@@ -58,9 +58,9 @@ def find_records(paths: Iterable[Path]) -> Iterator[Path | Diagnostic]:
     for path in paths:
         if path.is_dir():
             inside = sorted(path.rglob("*.toml"))
-            yield from inside or [
-                Diagnostic("T001", str(path), 1, 1, "there is no record in this folder")
-            ]
+            yield from inside
+            if not inside:
+                yield Diagnostic("T001", str(path), 1, 1, "there is no record in this folder")
         elif path.exists():
             yield path
         else:

@@ -11,7 +11,6 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import tomli_w
@@ -23,6 +22,7 @@ from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
 
 if TYPE_CHECKING:
+    from pathlib import Path
     from engine.game.match import Played
     from engine.records.read import Load
 

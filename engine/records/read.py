@@ -7,7 +7,6 @@ every name by the variant's own vocabulary. No record is half used.
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 from pydantic import ValidationError
 
@@ -18,7 +17,11 @@ from engine.variant.library import VariantError
 from engine.variant.report import Report
 from engine.variant.source import Node, parse_source, read_source
 from engine.variant.variant import Variant
-from rulelang.diagnostics import Diagnostic
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rulelang.diagnostics import Diagnostic
+    from pathlib import Path
 
 Load = Callable[[str], Variant]
 
@@ -33,7 +36,7 @@ def read_record(path: Path, load: Load) -> Record:
 
 def read_record_text(text: str, path: Path, load: Load) -> Record:
     """Return the record in a text; mistakes are told as being in `path`."""
-    return _checked(path, parse_source(text.encode(), path, path.parent), load)
+    return _checked(path, parse_source(text, path, path.parent), load)
 
 
 def _checked(path: Path, source: Node | list[Diagnostic], load: Load) -> Record:

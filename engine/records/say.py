@@ -5,11 +5,11 @@ One idea: the words that are written are the words that are compared.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
     from engine.game.situation import Situation
     from engine.game.verdict import Spotted, Verdict
     from rulelang.facts import Tracked

@@ -5,11 +5,15 @@ One idea: only the values that differ change; comments, order and everything els
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import tomlkit
 
 if TYPE_CHECKING:
+    from collections.abc import MutableMapping
+
+    from tomlkit.items import Array
+
     from engine.records.run import Outcome
 
 
@@ -19,9 +23,9 @@ def update_text(text: str, outcome: Outcome) -> str:
     A difference without a value (a position nobody knows) leaves its key as it is.
     """
     document = tomlkit.parse(text)
-    shots = document["shot"]
+    shots: Any = document["shot"]
     for one in outcome.differences:
-        shot = shots[one.shot - 1]  # type: ignore[index]
+        shot = shots[one.shot - 1]
         if one.key == "events":
             shot["events"] = _listed(one.got)
         elif one.key.startswith("after.positions."):
@@ -32,17 +36,16 @@ def update_text(text: str, outcome: Outcome) -> str:
     return tomlkit.dumps(document)
 
 
-def _set(expect: object, key: str, got: object) -> None:
-    table = expect[key] if isinstance(got, dict) else None  # type: ignore[index]
-    if table is None:
-        expect[key] = got  # type: ignore[index]
+def _set(expect: MutableMapping[str, Any], key: str, got: object) -> None:
+    if not isinstance(got, dict):
+        expect[key] = got
         return
-    for name, value in got.items():  # type: ignore[union-attr]
+    for name, value in got.items():
         if value is not None:
-            table[name] = value
+            expect[key][name] = value
 
 
-def _listed(events: object) -> tomlkit.items.Array:
+def _listed(events: object) -> Array:
     array = tomlkit.array()
-    array.extend(events)  # type: ignore[arg-type]
+    array.extend(events if isinstance(events, list) else [])
     return array.multiline(True)  # noqa: FBT003  tomlkit's own signature
