@@ -83,9 +83,28 @@ def plane_of(p, q, r, a, b, c):
 
 @njit(cache=True, nogil=True)
 def draw_triangles(
-    image, depth, top, bottom, seen, screen, triangles, faces, face_normals, face_offsets,
-    face_colours, face_light, face_smooth, normals, eye, basis, focal, near, lamps, ambient,
-    flat, shades,
+    image,
+    depth,
+    top,
+    bottom,
+    seen,
+    screen,
+    triangles,
+    faces,
+    face_normals,
+    face_offsets,
+    face_colours,
+    face_light,
+    face_smooth,
+    normals,
+    eye,
+    basis,
+    focal,
+    near,
+    lamps,
+    ambient,
+    flat,
+    shades,
 ):
     """Draw the triangles turned to the eye. With `flat`, each face has its colour in `shades`."""
     height, width = image.shape
@@ -158,8 +177,15 @@ def draw_triangles(
                         carried[0, 0], carried[0, 1], carried[0, 2] = nx, ny, nz
                         carried[1, :] = 0.0
                     shiny_span(
-                        row, depths, inverse, step_x, ray, carried, colour,
-                        float(face_light[f, 0]), scene,
+                        row,
+                        depths,
+                        inverse,
+                        step_x,
+                        ray,
+                        carried,
+                        colour,
+                        float(face_light[f, 0]),
+                        scene,
                     )
                     continue
                 for k in range(lamp_count):
@@ -173,15 +199,38 @@ def draw_triangles(
                     np.float32(1.0 / (focal * focal)),
                 )
                 lit_span(
-                    row, depths, np.float32(inverse), np.float32(step_x), square, colour32,
-                    lit, lamp_terms, shares,
+                    row,
+                    depths,
+                    np.float32(inverse),
+                    np.float32(step_x),
+                    square,
+                    colour32,
+                    lit,
+                    lamp_terms,
+                    shares,
                 )
 
 
 @njit(cache=True, nogil=True)
 def draw_spheres(
-    image, depth, top, bottom, order, centres, rotations, radii, colours, gloss, skins,
-    skin_places, eye, basis, focal, near, lamps, ambient,
+    image,
+    depth,
+    top,
+    bottom,
+    order,
+    centres,
+    rotations,
+    radii,
+    colours,
+    gloss,
+    skins,
+    skin_places,
+    eye,
+    basis,
+    focal,
+    near,
+    lamps,
+    ambient,
 ):
     """Draw spheres from their equation, far ones first, with blended outlines."""
     height, width = image.shape
@@ -229,15 +278,24 @@ def draw_spheres(
                 if size > 0:
                     m = rotations[s]
                     at = texel(
-                        offset, size,
+                        offset,
+                        size,
                         m[0, 0] * nx + m[1, 0] * ny + m[2, 0] * nz,
                         m[0, 1] * nx + m[1, 1] * ny + m[2, 1] * nz,
                         m[0, 2] * nx + m[1, 2] * ny + m[2, 2] * nz,
                     )
                     red, green, blue = float(skins[at]), float(skins[at + 1]), float(skins[at + 2])
                 light, shine = light_at(
-                    centres[s, 0] + nx * radius, centres[s, 1] + ny * radius,
-                    centres[s, 2] + nz * radius, nx, ny, nz, eye, lamps, ambient, float(gloss[s]),
+                    centres[s, 0] + nx * radius,
+                    centres[s, 1] + ny * radius,
+                    centres[s, 2] + nz * radius,
+                    nx,
+                    ny,
+                    nz,
+                    eye,
+                    lamps,
+                    ambient,
+                    float(gloss[s]),
                 )
                 new = mix(red, green, blue, light, shine)
                 if cover < 1.0:
@@ -254,8 +312,21 @@ def draw_spheres(
 
 @njit(cache=True, nogil=True)
 def draw_tints(
-    image, depth, top, bottom, seen, screen, triangles, faces, face_normals, face_offsets,
-    face_colours, face_light, eye, focal, near,
+    image,
+    depth,
+    top,
+    bottom,
+    seen,
+    screen,
+    triangles,
+    faces,
+    face_normals,
+    face_offsets,
+    face_colours,
+    face_light,
+    eye,
+    focal,
+    near,
 ):
     """Mix in the triangles that let light through; they hide nothing."""
     height, width = image.shape

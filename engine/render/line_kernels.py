@@ -126,8 +126,18 @@ def draw_segments(
     view = (eye, basis, focal, near)
     for i in range(len(ends)):
         segment(
-            image, depth, tested, top, bottom, ends[i, 0], ends[i, 1], view,
-            colours[i], alphas[i], widths[i], least,
+            image,
+            depth,
+            tested,
+            top,
+            bottom,
+            ends[i, 0],
+            ends[i, 1],
+            view,
+            colours[i],
+            alphas[i],
+            widths[i],
+            least,
         )
 
 

@@ -11,7 +11,6 @@ from numba import njit
 
 from engine.render.outline import apart
 
-
 TOUCH = -1e-6
 """Parts may share a border; a gap above this is a border (m)."""
 
@@ -142,7 +141,7 @@ def sphere_in_front(points, planes, starts, part, centre, eye):
             result = nx * eye[0] + ny * eye[1] + nz * eye[2] > high
         dx, dy, dz = points[far, 0] - qx, points[far, 1] - qy, points[far, 2] - qz
         square = dx * dx + dy * dy + dz * dz
-        step = (dx * (centre[0] - qx) + dy * (centre[1] - qy) + dz * (centre[2] - qz))
+        step = dx * (centre[0] - qx) + dy * (centre[1] - qy) + dz * (centre[2] - qz)
         if square < 1e-18 or step <= 1e-15:
             break
         step = min(step / square, 1.0)
@@ -175,7 +174,20 @@ def hides(i, j, fixed, points, planes, starts, traits, face_normals, table, cent
 
 @njit(cache=True, nogil=True)
 def sort_items(
-    chosen, boxes, outlines, spans, far, fixed, points, planes, starts, traits, face_normals, table, centres, eye,
+    chosen,
+    boxes,
+    outlines,
+    spans,
+    far,
+    fixed,
+    points,
+    planes,
+    starts,
+    traits,
+    face_normals,
+    table,
+    centres,
+    eye,
     order,
 ):
     """Write `chosen` items to `order` so that what may hide comes after what it hides.
@@ -192,15 +204,31 @@ def sort_items(
         for w in range(u + 1, n):
             j = chosen[w]
             if (
-                boxes[i, 0] > boxes[j, 2] or boxes[j, 0] > boxes[i, 2]
-                or boxes[i, 1] > boxes[j, 3] or boxes[j, 1] > boxes[i, 3]
+                boxes[i, 0] > boxes[j, 2]
+                or boxes[j, 0] > boxes[i, 2]
+                or boxes[i, 1] > boxes[j, 3]
+                or boxes[j, 1] > boxes[i, 3]
             ):
                 continue
             if apart(outlines, spans, i, j) or apart(outlines, spans, j, i):
                 continue
-            if hides(
-                i, j, fixed, points, planes, starts, traits, face_normals, table, centres, eye, best
-            ) > 0:
+            if (
+                hides(
+                    i,
+                    j,
+                    fixed,
+                    points,
+                    planes,
+                    starts,
+                    traits,
+                    face_normals,
+                    table,
+                    centres,
+                    eye,
+                    best,
+                )
+                > 0
+            ):
                 above[w, u] = True
                 before[u] += 1
             else:

@@ -32,10 +32,14 @@ def convex_hull(points, count, hull):
         for step in range(count):
             i = step if sweep == 0 else count - 1 - step
             x, y = points[i, 0], points[i, 1]
-            while size > least and (
-                (hull[size - 1, 0] - hull[size - 2, 0]) * (y - hull[size - 2, 1])
-                - (hull[size - 1, 1] - hull[size - 2, 1]) * (x - hull[size - 2, 0])
-            ) <= 0.0:
+            while (
+                size > least
+                and (
+                    (hull[size - 1, 0] - hull[size - 2, 0]) * (y - hull[size - 2, 1])
+                    - (hull[size - 1, 1] - hull[size - 2, 1]) * (x - hull[size - 2, 0])
+                )
+                <= 0.0
+            ):
                 size -= 1
             hull[size, 0], hull[size, 1] = x, y
             size += 1
@@ -58,8 +62,23 @@ def close_outline(points, count, item, boxes, outlines, spans):
 
 @njit(cache=True, nogil=True)
 def part_outlines(
-    seen, screen, triangles, faces, normals, offsets, starts, traits, eye, focal, near, width,
-    height, boxes, outlines, spans, shown,
+    seen,
+    screen,
+    triangles,
+    faces,
+    normals,
+    offsets,
+    starts,
+    traits,
+    eye,
+    focal,
+    near,
+    width,
+    height,
+    boxes,
+    outlines,
+    spans,
+    shown,
 ):
     """Find what each part covers: hull and box of its triangles turned to the eye.
 

@@ -280,10 +280,7 @@ class Packer:
     def moving(self, scene: Scene) -> Pack:
         """Return the meshes of objects that may move."""
         packs = [
-            pack
-            for o in scene.objects
-            if o.visible and not o.fixed
-            for pack in self._placed(o)
+            pack for o in scene.objects if o.visible and not o.fixed for pack in self._placed(o)
         ]
         return join(packs) if packs else _empty()
 

@@ -61,7 +61,11 @@ class Painter:
             self._fixed = fixed
             self._table = np.zeros((fixed.parts, fixed.parts, 4))
             order.plane_table(
-                fixed.points, fixed.planes, fixed.starts, fixed.traits, fixed.face_normals,
+                fixed.points,
+                fixed.planes,
+                fixed.starts,
+                fixed.traits,
+                fixed.face_normals,
                 self._table,
             )
         moving = self._packer.moving(scene)
@@ -111,13 +115,26 @@ class _Frame:
         count = len(pack.points)
         self.seen, self.screen = np.zeros((count, 3)), np.zeros((count, 3))
         raster.project_points(
-            pack.points, view.eye, view.basis, view.focal, view.near, float(view.size[0]),
-            float(view.size[1]), self.seen, self.screen,
+            pack.points,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            float(view.size[0]),
+            float(view.size[1]),
+            self.seen,
+            self.screen,
         )
         self.shades = np.zeros(len(pack.face_normals), np.uint32)
         shading.shade_faces(
-            pack.face_centres, pack.face_normals, pack.face_colours, pack.face_light, view.eye,
-            self.lamps, scene.ambient, self.shades,
+            pack.face_centres,
+            pack.face_normals,
+            pack.face_colours,
+            pack.face_light,
+            view.eye,
+            self.lamps,
+            scene.ambient,
+            self.shades,
         )
         self.units = painter.units.of(self.spheres, view)
         self.parts_below, self.items = self._sort(fixed, table)
@@ -136,13 +153,37 @@ class _Frame:
         shown = np.zeros(parts, np.bool_)
         wide, tall = view.size
         outline.part_outlines(
-            self.seen, self.screen, pack.triangles, pack.faces, pack.face_normals,
-            pack.face_offsets, pack.starts, pack.traits, view.eye, view.focal, view.near,
-            float(wide), float(tall), boxes, outlines, spans, shown,
+            self.seen,
+            self.screen,
+            pack.triangles,
+            pack.faces,
+            pack.face_normals,
+            pack.face_offsets,
+            pack.starts,
+            pack.traits,
+            view.eye,
+            view.focal,
+            view.near,
+            float(wide),
+            float(tall),
+            boxes,
+            outlines,
+            spans,
+            shown,
         )
         outline.sphere_outlines(
-            parts, s.centres, s.radii, view.eye, view.basis, view.focal, view.near, float(wide),
-            float(tall), boxes, outlines, spans,
+            parts,
+            s.centres,
+            s.radii,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            float(wide),
+            float(tall),
+            boxes,
+            outlines,
+            spans,
         )
         layers = pack.traits[:, 1]
         below = [[int(p) for p in np.flatnonzero(shown & (layers == k))] for k in (0, 1)]
@@ -157,8 +198,21 @@ class _Frame:
         far = ((places - view.eye) ** 2).sum(axis=1)
         result = np.zeros(len(chosen), np.int32)
         order.sort_items(
-            chosen, boxes, outlines, spans, far, fixed, pack.points, pack.planes, pack.starts, pack.traits,
-            pack.face_normals, table, s.centres, view.eye, result,
+            chosen,
+            boxes,
+            outlines,
+            spans,
+            far,
+            fixed,
+            pack.points,
+            pack.planes,
+            pack.starts,
+            pack.traits,
+            pack.face_normals,
+            table,
+            s.centres,
+            view.eye,
+            result,
         )
         return below, result
 
@@ -174,12 +228,32 @@ class _Frame:
         for part in self.parts_below[1]:
             self._part(pixels, part, top, bottom)
         shading.draw_discs(
-            pixels, NO_DEPTH, False, top, bottom, self.discs, self.disc_colours, view.eye,
-            view.basis, view.focal, view.near,
+            pixels,
+            NO_DEPTH,
+            False,
+            top,
+            bottom,
+            self.discs,
+            self.disc_colours,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
         )
         line_kernels.draw_segments(
-            pixels, NO_DEPTH, False, top, bottom, self.lines.ends, self.lines.colours,
-            self.lines.widths, self.lines.alphas, view.eye, view.basis, view.focal, view.near,
+            pixels,
+            NO_DEPTH,
+            False,
+            top,
+            bottom,
+            self.lines.ends,
+            self.lines.colours,
+            self.lines.widths,
+            self.lines.alphas,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
             LEAST_LINE,
         )
         for item in self.items:
@@ -193,9 +267,22 @@ class _Frame:
     def _part(self, pixels: Pixels, part: int, top: int, bottom: int) -> None:
         pack, view = self.pack, self.view
         painter_kernels.paint_part(
-            pixels, top, bottom, int(pack.starts[part, 1]), int(pack.starts[part + 1, 1]),
-            self.seen, self.screen, pack.triangles, pack.faces, pack.face_normals,
-            pack.face_offsets, pack.face_light, self.shades, view.eye, view.focal, view.near,
+            pixels,
+            top,
+            bottom,
+            int(pack.starts[part, 1]),
+            int(pack.starts[part + 1, 1]),
+            self.seen,
+            self.screen,
+            pack.triangles,
+            pack.faces,
+            pack.face_normals,
+            pack.face_offsets,
+            pack.face_light,
+            self.shades,
+            view.eye,
+            view.focal,
+            view.near,
         )
 
     def _sphere(
@@ -204,9 +291,27 @@ class _Frame:
         s, view, unit = self.spheres, self.view, self.units[number]
         offset, size = s.skin_places[number]
         painter_kernels.paint_sphere(
-            pixels, top, bottom, upper_half, unit.points, unit.triangles, unit.faces,
-            unit.face_normals, unit.face_centres, s.centres[number], s.rotations[number],
-            float(s.radii[number]), s.colours[number], float(s.gloss[number]), s.skins,
-            int(offset), int(size), view.eye, view.basis, view.focal, view.near, self.lamps,
+            pixels,
+            top,
+            bottom,
+            upper_half,
+            unit.points,
+            unit.triangles,
+            unit.faces,
+            unit.face_normals,
+            unit.face_centres,
+            s.centres[number],
+            s.rotations[number],
+            float(s.radii[number]),
+            s.colours[number],
+            float(s.gloss[number]),
+            s.skins,
+            int(offset),
+            int(size),
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            self.lamps,
             self.scene.ambient,
         )

@@ -9,24 +9,41 @@ from engine.render.shading import light_at, mix, texel
 
 @njit(cache=True, nogil=True)
 def paint_part(
-    image, top, bottom, first, last, seen, screen, triangles, faces, normals, offsets, lights,
-    shades, eye, focal, near,
+    image,
+    top,
+    bottom,
+    first,
+    last,
+    seen,
+    screen,
+    triangles,
+    faces,
+    normals,
+    offsets,
+    lights,
+    shades,
+    eye,
+    focal,
+    near,
 ):
     """Fill the triangles first to last that are turned to the eye."""
     height, width = image.shape
     corner = np.empty((4, 3))
     for t in range(first, last):
         f = faces[t]
-        if (
-            normals[f, 0] * eye[0] + normals[f, 1] * eye[1] + normals[f, 2] * eye[2]
-            <= offsets[f]
-        ):
+        if normals[f, 0] * eye[0] + normals[f, 1] * eye[1] + normals[f, 2] * eye[2] <= offsets[f]:
             continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         count = corners_of(seen, screen, a, b, c, focal, near, width, height, corner)
         for part in range(count - 2):
             fill_flat(
-                image, top, bottom, corner[0], corner[part + 1], corner[part + 2], shades[f],
+                image,
+                top,
+                bottom,
+                corner[0],
+                corner[part + 1],
+                corner[part + 2],
+                shades[f],
                 lights[f, 1],
             )
 
@@ -48,7 +65,8 @@ def fill_skin(image, top, bottom, p, q, r, own, light, shine, skins, offset, siz
             s, t = (dx * by - dy * bx) * scale, (dy * ax - dx * ay) * scale
             rest = 1.0 - s - t
             at = texel(
-                offset, size,
+                offset,
+                size,
                 own[0, 0] * rest + own[1, 0] * s + own[2, 0] * t,
                 own[0, 1] * rest + own[1, 1] * s + own[2, 1] * t,
                 own[0, 2] * rest + own[1, 2] * s + own[2, 2] * t,
@@ -60,8 +78,29 @@ def fill_skin(image, top, bottom, p, q, r, own, light, shine, skins, offset, siz
 
 @njit(cache=True, nogil=True)
 def paint_sphere(
-    image, top, bottom, upper_half, points, triangles, faces, normals, face_centres, centre,
-    rotation, radius, colour, gloss, skins, offset, size, eye, basis, focal, near, lamps, ambient,
+    image,
+    top,
+    bottom,
+    upper_half,
+    points,
+    triangles,
+    faces,
+    normals,
+    face_centres,
+    centre,
+    rotation,
+    radius,
+    colour,
+    gloss,
+    skins,
+    offset,
+    size,
+    eye,
+    basis,
+    focal,
+    near,
+    lamps,
+    ambient,
 ):
     """Fill a sphere made of the unit sphere's triangles; `upper_half`: only above the ground."""
     height, width = image.shape
@@ -106,8 +145,18 @@ def paint_sphere(
             for k in range(3):
                 own[0, k], own[1, k], own[2, k] = points[a, k], points[b, k], points[c, k]
             fill_skin(
-                image, top, bottom, screen[a], screen[b], screen[c], own, light, shine, skins,
-                offset, size,
+                image,
+                top,
+                bottom,
+                screen[a],
+                screen[b],
+                screen[c],
+                own,
+                light,
+                shine,
+                skins,
+                offset,
+                size,
             )
         else:
             shade = mix(float(colour[0]), float(colour[1]), float(colour[2]), light, shine)

@@ -83,7 +83,11 @@ class Scanline:
 
     def _draw_fixed(self, job: _Job, scene: Scene) -> None:
         key = (
-            job.fixed, scene.camera, scene.lights, scene.background, scene.ambient,
+            job.fixed,
+            scene.camera,
+            scene.lights,
+            scene.background,
+            scene.ambient,
             job.pixels.shape,
         )
         if self._keeps and _same(key, self._kept):
@@ -104,9 +108,7 @@ class Scanline:
             draw(0, height)
             return
         cuts = [height * k // self._threads for k in range(self._threads + 1)]
-        waiting = [
-            self._pool.submit(draw, a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)
-        ]
+        waiting = [self._pool.submit(draw, a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
         for band in waiting:
             band.result()
 
@@ -184,26 +186,68 @@ class _Job:
         view, lines, s = self.view, self.lines, self.spheres
         self._tints(self.moving, self._moving_points, top, bottom)
         shading.draw_discs(
-            self.pixels, self.depth, True, top, bottom, self.discs, self.disc_colours,
-            view.eye, view.basis, view.focal, view.near,
+            self.pixels,
+            self.depth,
+            True,
+            top,
+            bottom,
+            self.discs,
+            self.disc_colours,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
         )
         line_kernels.draw_segments(
-            self.pixels, self.depth, True, top, bottom, lines.ends, lines.colours, lines.widths,
-            lines.alphas, view.eye, view.basis, view.focal, view.near, LEAST_LINE,
+            self.pixels,
+            self.depth,
+            True,
+            top,
+            bottom,
+            lines.ends,
+            lines.colours,
+            lines.widths,
+            lines.alphas,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            LEAST_LINE,
         )
         self._triangles(self.moving, self._moving_points, self._moving_shades, top, bottom)
         depth_kernels.draw_spheres(
-            self.pixels, self.depth, top, bottom, self._order, s.centres, s.rotations, s.radii,
-            s.colours, s.gloss, s.skins, s.skin_places, view.eye, view.basis, view.focal,
-            view.near, self.lamps, self.ambient,
+            self.pixels,
+            self.depth,
+            top,
+            bottom,
+            self._order,
+            s.centres,
+            s.rotations,
+            s.radii,
+            s.colours,
+            s.gloss,
+            s.skins,
+            s.skin_places,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            self.lamps,
+            self.ambient,
         )
 
     def _shade(self, pack: Pack) -> NDArray[np.uint32]:
         shades = np.zeros(len(pack.face_normals), np.uint32)
         if self.flat:
             shading.shade_faces(
-                pack.face_centres, pack.face_normals, pack.face_colours, pack.face_light,
-                self.view.eye, self.lamps, self.ambient, shades,
+                pack.face_centres,
+                pack.face_normals,
+                pack.face_colours,
+                pack.face_light,
+                self.view.eye,
+                self.lamps,
+                self.ambient,
+                shades,
             )
         return shades
 
@@ -217,10 +261,28 @@ class _Job:
     ) -> None:
         view = self.view
         depth_kernels.draw_triangles(
-            self.pixels, self.depth, top, bottom, points[0], points[1], pack.triangles,
-            pack.faces, pack.face_normals, pack.face_offsets, pack.face_colours, pack.face_light,
-            pack.face_smooth, pack.normals, view.eye, view.basis, view.focal, view.near,
-            self.lamps, self.ambient, self.flat, shades,
+            self.pixels,
+            self.depth,
+            top,
+            bottom,
+            points[0],
+            points[1],
+            pack.triangles,
+            pack.faces,
+            pack.face_normals,
+            pack.face_offsets,
+            pack.face_colours,
+            pack.face_light,
+            pack.face_smooth,
+            pack.normals,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            self.lamps,
+            self.ambient,
+            self.flat,
+            shades,
         )
 
     def _tints(
@@ -232,17 +294,36 @@ class _Job:
     ) -> None:
         view = self.view
         depth_kernels.draw_tints(
-            self.pixels, self.depth, top, bottom, points[0], points[1], pack.triangles,
-            pack.faces, pack.face_normals, pack.face_offsets, pack.face_colours, pack.face_light,
-            view.eye, view.focal, view.near,
+            self.pixels,
+            self.depth,
+            top,
+            bottom,
+            points[0],
+            points[1],
+            pack.triangles,
+            pack.faces,
+            pack.face_normals,
+            pack.face_offsets,
+            pack.face_colours,
+            pack.face_light,
+            view.eye,
+            view.focal,
+            view.near,
         )
 
 
 def _project(pack: Pack, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     seen, screen = np.zeros((len(pack.points), 3)), np.zeros((len(pack.points), 3))
     raster.project_points(
-        pack.points, view.eye, view.basis, view.focal, view.near, float(view.size[0]),
-        float(view.size[1]), seen, screen,
+        pack.points,
+        view.eye,
+        view.basis,
+        view.focal,
+        view.near,
+        float(view.size[0]),
+        float(view.size[1]),
+        seen,
+        screen,
     )
     return seen, screen
 

@@ -57,9 +57,7 @@ def shade_faces(centres, normals, colours, lights, eye, lamps, ambient, out):
         if nx * (eye[0] - px) + ny * (eye[1] - py) + nz * (eye[2] - pz) <= 0.0:
             continue
         light, shine = light_at(px, py, pz, nx, ny, nz, eye, lamps, ambient, lights[f, 0] * 0.5)
-        out[f] = mix(
-            float(colours[f, 0]), float(colours[f, 1]), float(colours[f, 2]), light, shine
-        )
+        out[f] = mix(float(colours[f, 0]), float(colours[f, 1]), float(colours[f, 2]), light, shine)
 
 
 @njit(cache=True, nogil=True)
@@ -68,8 +66,9 @@ def texel(offset, size, x, y, z):
     whole = abs(x) + abs(y) + abs(z)
     u, v = x / whole, y / whole
     if z < 0.0:
-        u, v = (1.0 - abs(v)) * (1.0 if u >= 0.0 else -1.0), (1.0 - abs(u)) * (
-            1.0 if v >= 0.0 else -1.0
+        u, v = (
+            (1.0 - abs(v)) * (1.0 if u >= 0.0 else -1.0),
+            (1.0 - abs(u)) * (1.0 if v >= 0.0 else -1.0),
         )
     column = min(max(int((u + 1.0) * 0.5 * size), 0), size - 1)
     row = min(max(int((v + 1.0) * 0.5 * size), 0), size - 1)
@@ -77,9 +76,7 @@ def texel(offset, size, x, y, z):
 
 
 @njit(cache=True, nogil=True)
-def draw_discs(
-    image, depth, tested, top, bottom, discs, colours, eye, basis, focal, near
-):
+def draw_discs(image, depth, tested, top, bottom, discs, colours, eye, basis, focal, near):
     """Mix in flat discs (n, 6): centre, radius, alpha, softness; where `tested`, only on what
     lies at their own depth (1/z).
     """

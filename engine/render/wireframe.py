@@ -43,7 +43,11 @@ class Wireframe:
         ends = np.array([[[0.0, 0.0, 1.0], [0.1, 0.1, 1.0]]])
         colours = np.zeros((1, 3), np.uint8)
         self._segments(
-            pixels, ends, colours, np.zeros(1), np.ones(1),
+            pixels,
+            ends,
+            colours,
+            np.zeros(1),
+            np.ones(1),
             View(np.zeros(3), np.eye(3), 8.0, 0.02, (8, 8)),
         )
         if progress:
@@ -132,8 +136,20 @@ class Wireframe:
         view: View,
     ) -> None:
         line_kernels.draw_segments(
-            pixels, NO_DEPTH, False, 0, len(pixels), ends, colours, widths, alphas,
-            view.eye, view.basis, view.focal, view.near, STROKE,
+            pixels,
+            NO_DEPTH,
+            False,
+            0,
+            len(pixels),
+            ends,
+            colours,
+            widths,
+            alphas,
+            view.eye,
+            view.basis,
+            view.focal,
+            view.near,
+            STROKE,
         )
 
 
@@ -145,9 +161,7 @@ def _bright(colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.where(peak < 40.0, 110.0, lifted).astype(np.uint8)
 
 
-def look_up(
-    spheres: Spheres, number: int, directions: NDArray[np.float32]
-) -> NDArray[np.uint8]:
+def look_up(spheres: Spheres, number: int, directions: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Return the skin's colours of one sphere at its own `directions` (n, 3)."""
     offset, size = (int(v) for v in spheres.skin_places[number])
     if size == 0:

@@ -47,7 +47,9 @@ class Camera:
         return height / 2.0 / tan(self.field / 2.0)
 
 
-def orbit(target: Vector, azimuth: float, elevation: float, distance: float, field: float = 0.7) -> Camera:
+def orbit(
+    target: Vector, azimuth: float, elevation: float, distance: float, field: float = 0.7
+) -> Camera:
     """Return a camera `distance` (m) from `target`, seen at angles in rad; up is +z."""
     flat = distance * cos(elevation)
     eye = (

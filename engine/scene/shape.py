@@ -219,7 +219,9 @@ def sphere_mesh(gradient: int) -> Mesh:
         polar = np.pi * step / gradient
         turn = np.arange(around) * (2.0 * np.pi / around)
         height = np.full(around, np.cos(polar))
-        rings.append(np.stack([np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), height], 1))
+        rings.append(
+            np.stack([np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), height], 1)
+        )
     points = np.concatenate([[[0.0, 0.0, 1.0]], *rings, [[0.0, 0.0, -1.0]]])
     last = len(points) - 1
     polygons: list[tuple[int, ...]] = []

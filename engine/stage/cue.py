@@ -60,9 +60,7 @@ def _section(
     shown: list[tuple[int, ...]] = [
         (k, SIDES + k, SIDES + after[k], after[k])[::-1] for k in range(SIDES)
     ]
-    caps: list[tuple[int, ...]] = [
-        tuple(range(SIDES)), tuple(reversed(range(SIDES, 2 * SIDES)))
-    ]
+    caps: list[tuple[int, ...]] = [tuple(range(SIDES)), tuple(reversed(range(SIDES, 2 * SIDES)))]
     hidden = []
     for cap, seen in zip(caps, (front, rear), strict=True):
         (shown if seen else hidden).append(cap)

@@ -15,7 +15,7 @@ RIM_STEPS = 28
 """Corners of a pocket's rim."""
 LINER = 0.012
 """Width of the dark liner round a pocket."""
-DEPTH = 0.16
+DEPTH = 0.105
 """Depth of a pocket below the bed."""
 APRON = 0.11
 """How far the wood hangs below the bed."""

@@ -62,9 +62,11 @@ def _arc_runs(disc: Disc, zone: Area, table: Table) -> list[list[Point]]:
         elif runs[-1]:
             runs.append([])
     runs = [run for run in runs if len(run) > 1]
-    if len(runs) > 1 and runs[0][0] == (x + r, y) and hypot(
-        runs[-1][-1][0] - x - r, runs[-1][-1][1] - y
-    ) < 1e-9:
+    if (
+        len(runs) > 1
+        and runs[0][0] == (x + r, y)
+        and hypot(runs[-1][-1][0] - x - r, runs[-1][-1][1] - y) < 1e-9
+    ):
         runs[0] = [*runs.pop(), *runs[0][1:]]
     return runs
 

@@ -56,12 +56,16 @@ def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
         xs |= {e for e in (x - reach, x + reach) if abs(e) < ix}
         ys |= {e for e in (y - reach, y + reach) if abs(e) < iy}
     across, along = sorted(xs), sorted(ys)
-    cells = [plan.rectangle(a, s * m, b, s * n) if s > 0 else plan.rectangle(a, -n, b, -m)
-             for a, b in zip(across[:-1], across[1:], strict=True)
-             for s, m, n in ((1, iy, oy), (-1, iy, oy))]
-    cells += [plan.rectangle(m, a, n, b)
-              for a, b in zip(along[:-1], along[1:], strict=True)
-              for m, n in ((ix, ox), (-ox, -ix))]
+    cells = [
+        plan.rectangle(a, s * m, b, s * n) if s > 0 else plan.rectangle(a, -n, b, -m)
+        for a, b in zip(across[:-1], across[1:], strict=True)
+        for s, m, n in ((1, iy, oy), (-1, iy, oy))
+    ]
+    cells += [
+        plan.rectangle(m, a, n, b)
+        for a, b in zip(along[:-1], along[1:], strict=True)
+        for m, n in ((ix, ox), (-ox, -ix))
+    ]
     for x0, x1 in ((ix, ox), (-ox, -ix)):
         cells += [plan.rectangle(x0, y0, x1, y1) for y0, y1 in ((iy, oy), (-oy, -iy))]
     return cells

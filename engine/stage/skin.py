@@ -47,8 +47,11 @@ def paint_skin(colour: Rgb, pattern: str, label: str) -> Skin | None:
     own = skin_directions(SIZE)
     paint = np.broadcast_to(np.array(colour, dtype=np.float64), own.shape)
     if pattern == "stripe":
-        paint = _over(np.broadcast_to(np.array(WHITE, float), own.shape), colour,
-                      _inside(BAND - np.abs(own[..., 2])))
+        paint = _over(
+            np.broadcast_to(np.array(WHITE, float), own.shape),
+            colour,
+            _inside(BAND - np.abs(own[..., 2])),
+        )
     if pattern == "dots":
         peak = np.abs(own).max(axis=-1)
         away = np.sqrt(np.maximum(1.0 - peak * peak, 0.0))

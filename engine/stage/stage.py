@@ -123,9 +123,7 @@ def build_stage(variant: Variant) -> Stage:
     return stage_of(variant.world.table, variant.world.balls, variant.balls, variant.look)
 
 
-def stage_of(
-    table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], look: Look
-) -> Stage:
+def stage_of(table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], look: Look) -> Stage:
     """Return the stage of a table with balls of these bodies and kinds."""
     frame = measure(table)
     radii = {body.id: body.radius for body in bodies}

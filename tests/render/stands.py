@@ -1,0 +1,88 @@
+"""Tables and scenes for the renderers' tests."""
+
+from dataclasses import replace
+from math import radians
+
+import numpy as np
+
+from engine.physics.world import Ball
+from engine.scene.scene import Scene
+from engine.scene.shape import Polyline, Sphere
+from engine.stage.stage import stage_of
+from engine.table.build import PocketCut, build_table
+from engine.table.furniture import BallId
+from engine.variant.variant import BallKind, Look
+
+RADIUS = 0.0286
+LOOK = Look((0, 98, 82), (104, 52, 26))
+
+
+def pocket_table():
+    corner = PocketCut(0.1168, radians(142), 0.04, 0.003, 0.067)
+    side = PocketCut(0.1302, radians(104), 0.0, 0.003, 0.068)
+    return build_table(2.54, 1.27, 0.0365, corner, side, 0.12)
+
+
+def round_jaw_table():
+    corner = PocketCut(0.083, radians(135), 0.02, 0.102, 0.058)
+    side = PocketCut(0.087, radians(90), 0.005, 0.064, 0.058)
+    return build_table(3.569, 1.778, 0.03675, corner, side, 0.127)
+
+
+def plain_table():
+    return build_table(2.84, 1.42, 0.037, None, None, 0.14)
+
+
+TABLES = {"pockets": pocket_table, "round jaws": round_jaw_table, "plain": plain_table}
+
+
+def make_stage(table, count=16):
+    kinds, bodies = [], []
+    for k in range(count):
+        name = BallId(f"b{k}")
+        colour = ((53 * k + 90) % 256, (97 * k + 40) % 256, (151 * k + 70) % 256)
+        kinds.append(BallKind(name, colour, "stripe" if k % 2 else "plain", str(k) if k else ""))
+        bodies.append(Ball(name, RADIUS, 0.17))
+    return stage_of(table, bodies, kinds, LOOK)
+
+
+def scatter(stage, seed):
+    """Return random places, some on cushions and in jaws, none overlapping."""
+    dice = np.random.default_rng(seed)
+    x, y = stage.table.length / 2 - RADIUS, stage.table.width / 2 - RADIUS
+    places = {}
+    for ball in stage.spheres:
+        for _ in range(200):
+            spot = dice.uniform(-1, 1, 2) * (x, y)
+            kind = dice.integers(0, 4)
+            if kind == 0:
+                side = dice.integers(0, 2)
+                spot[side] = np.sign(spot[side]) * (x, y)[side]
+            elif kind == 1 and stage.table.pockets:
+                pocket = stage.table.pockets[dice.integers(0, len(stage.table.pockets))]
+                middle = np.mean(pocket.mouth, axis=0)
+                spot = middle - 0.02 * np.sign(middle) * dice.uniform(0, 1)
+            free = all(np.hypot(*(spot - p[:2])) > 2.0 * RADIUS for p in places.values())
+            if free:
+                places[ball] = (float(spot[0]), float(spot[1]), RADIUS)
+                break
+    return places
+
+
+def bare(scene: Scene) -> Scene:
+    """Return a scene of nothing but faces with one colour each, none of them clear."""
+    objects = []
+    for thing in scene.objects:
+        shapes = []
+        for shape in thing.shapes:
+            if isinstance(shape, Polyline) or getattr(shape, "alpha", 1.0) < 1.0:
+                continue
+            shapes.append(replace(shape, skin=None) if isinstance(shape, Sphere) else shape)
+        objects.append(replace(thing, shapes=tuple(shapes)))
+    return replace(scene, objects=tuple(objects), marks=(), shadows=())
+
+
+def draw(renderer, scene, size=(640, 360)):
+    pixels = np.zeros((size[1], size[0]), np.uint32)
+    renderer.render(scene, pixels)
+    return pixels
