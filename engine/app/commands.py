@@ -43,6 +43,14 @@ class SetTip:
 
 
 @dataclass(frozen=True, slots=True)
+class MoveTip:
+    """Move the tip by ball radii to the right and upward."""
+
+    side: float
+    follow: float
+
+
+@dataclass(frozen=True, slots=True)
 class SetElevation:
     """Set how far the butt is raised, degrees."""
 
@@ -163,6 +171,7 @@ Command = (
     | AimAt
     | SetSpeed
     | SetTip
+    | MoveTip
     | SetElevation
     | MoveBall
     | PutBall

@@ -265,13 +265,13 @@ def _stroke_step(key: str, count: int, session: Session, *, fine: bool) -> list[
         case "down":
             return [commands.SetSpeed(stroke.speed - speed)]
         case "a":
-            return [commands.SetTip(stroke.side - tip, stroke.follow)]
+            return [commands.MoveTip(-tip, 0.0)]
         case "d":
-            return [commands.SetTip(stroke.side + tip, stroke.follow)]
+            return [commands.MoveTip(tip, 0.0)]
         case "w":
-            return [commands.SetTip(stroke.side, stroke.follow + tip)]
+            return [commands.MoveTip(0.0, tip)]
         case "s":
-            return [commands.SetTip(stroke.side, stroke.follow - tip)]
+            return [commands.MoveTip(0.0, -tip)]
         case "e":
             return [commands.SetElevation(stroke.elevation + lift)]
         case "q":

@@ -1,7 +1,7 @@
-"""The display round the picture: a bar above, a bar below, and panels.
+"""The display round the picture: a bar above, a bar below, a column beside it.
 
 One idea: what is said comes from `words`, where it stands is decided here, and what can be
-clicked is handed back by name. Invariant: the bars never cover the picture.
+clicked is handed back by name. Invariant: nothing of it covers the picture.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING
 import pygame
 
 from engine.app.pen import BAD, EDGE, FAINT, GOLD, GOOD, TEXT, TONES, Pen
-from engine.app.session import Mode
+from engine.app.session import SHOWING, Mode
 from engine.app.stroke import FASTEST, STEEPEST
-from engine.app.words import Board, Line, board_of, spoken, verdict_lines
+from engine.app.words import Board, Line, board_of, player_name, spoken, verdict_lines
 
 if TYPE_CHECKING:
     from engine.app.controls import Box
     from engine.app.session import Session
     from engine.variant.variant import BallKind
 
-TOP, BOTTOM = 58, 92
-"""Heights of the bars, in text pixels."""
+TOP, BOTTOM, SIDE = 58, 92, 300
+"""Heights of the bars and width of the column, in text pixels."""
 CHALK = (236, 234, 222)
 
 
@@ -43,48 +43,31 @@ class Hud:
         """Return the box that is left for the picture."""
         width, height = self.pen.surface.get_size()
         top, bottom = self.pen.px(TOP), self.pen.px(BOTTOM)
-        return 0, top, width, max(height - top - bottom, 16)
+        return 0, top, max(width - self._side(), 16), max(height - top - bottom, 16)
+
+    def _side(self) -> int:
+        return min(self.pen.px(SIDE), round(0.32 * self.pen.surface.get_width()))
 
     def draw(self, session: Session, status: str) -> None:
         """Draw the whole display for a session; `status` is said in the upper right corner."""
         self.hot.clear()
         board = board_of(session)
-        self._top(session, board, status)
+        self._top(board, status)
         self._bottom(session, board)
-        if session.mode is Mode.CHOOSING:
-            self._choices(session)
-        elif session.mode is Mode.VERDICT and session.last is not None:
-            lines = verdict_lines(session.variant, session.last)
-            self._verdict(f"Shot {len(session.match.played)}", lines)
-        elif session.mode is Mode.OVER and session.last is not None:
-            lines = verdict_lines(session.variant, session.last)
-            self._verdict("Game over", lines)
+        self._column(session, board)
 
-    def _top(self, session: Session, board: Board, status: str) -> None:
+    def _top(self, board: Board, status: str) -> None:
         pen = self.pen
         width, height = pen.surface.get_width(), pen.px(TOP)
         pen.panel((0, 0, width, height), 255, None)
         pygame.draw.line(pen.surface, EDGE, (0, height - 1), (width, height - 1))
         edge = pen.px(14)
-        third = width // 4
+        third = width // 5
         pen.write(board.title, (edge, pen.px(8)), TEXT, 21, room=third - edge)
         pen.write(board.phase, (edge, pen.px(34)), FAINT, 15, room=third - edge)
         self._players(board, third, width - third)
-        pen.write(status, (width - edge, pen.px(36)), FAINT, 13, "right", room=third)
-        if board.on_words:
-            self._on(session, board, width - edge, third)
-
-    def _on(self, session: Session, board: Board, right: int, room: int) -> None:
-        """Write what is on with a dot of each colour."""
-        pen = self.pen
-        kinds = [kind for kind in session.variant.balls if kind.id in board.on]
-        shown = _distinct(kinds)[:8]
-        dot = pen.px(7)
-        words = pen.fitted(f"on: {board.on_words}", 16, room - len(shown) * (2 * dot + 3))
-        left = right - pen.write(words, (right, pen.px(9)), GOLD, 16, "right")
-        for place, kind in enumerate(shown):
-            x = left - pen.px(6) - (len(shown) - place) * (2 * dot + 3) + dot
-            _dot(pen, (x, pen.px(18)), dot, kind)
+        pen.write(status, (width - edge, pen.px(12)), FAINT, 13, "right", room=third)
+        pen.write("F1 keys   Esc menu", (width - edge, pen.px(34)), FAINT, 13, "right", room=third)
 
     def _players(self, board: Board, left: int, right: int) -> None:
         pen = self.pen
@@ -137,7 +120,7 @@ class Hud:
         angle = f"{stroke.elevation:.0f} deg   aim {stroke.heading:.2f}"
         pen.write(angle, (x + wide, top + pen.px(48)), TEXT, 14, "right")
         pen.bar(raised, stroke.elevation / STEEPEST, (120, 150, 200))
-        ball = pen.px(38)
+        ball = pen.px(36)
         middle = x + pen.px(280), top + pen.px(46)
         self._tip(session, middle, ball)
         self.hot |= {
@@ -161,52 +144,97 @@ class Hud:
         )
         pygame.draw.circle(surface, (40, 90, 190), place, max(4, radius // 6))
 
-    def _choices(self, session: Session) -> None:
+    def _column(self, session: Session, board: Board) -> None:
+        """Draw the column: what is on, what may be chosen, what the referee said last."""
         pen = self.pen
-        options = session.match.situation.options
+        _, top, left, height = self.picture_box()
+        wide = self._side()
+        pen.panel((left, top, wide, height), 255, None)
+        pygame.draw.line(pen.surface, EDGE, (left, top), (left, top + height))
+        x, room = left + pen.px(14), wide - pen.px(28)
+        y = top + pen.px(12)
+        if session.mode is Mode.CHOOSING:
+            y = self._choices(session, (x, y), room)
+        elif board.on_words:
+            y = self._on(session, board, (x, y), room)
+        played = session.match.played
+        if session.mode in SHOWING and session.back_to is None:
+            played = played[:-1]
+        if played:
+            lines = verdict_lines(session.variant, played[-1])
+            who = player_name(played[-1].before.shooter)
+            fresh = session.mode in (Mode.VERDICT, Mode.OVER)
+            title = f"Shot {len(played)}, {who}"
+            self._told(title, lines, (x, y), room, top + height - y, fresh=fresh)
+
+    def _on(self, session: Session, board: Board, at: tuple[int, int], room: int) -> int:
+        """Write what is on with a dot for each look; return where that ends."""
+        pen = self.pen
+        kinds = [kind for kind in session.variant.balls if kind.id in board.on]
+        dot, (x, y) = pen.px(7), at
+        pen.write("ball on", (x, y), FAINT, 14)
+        y += pen.line(14) + pen.px(4)
+        for place, kind in enumerate(_distinct(kinds)[: room // (2 * dot + 4)]):
+            _dot(pen, (x + dot + place * (2 * dot + 4), y + dot), dot, kind)
+        y += 2 * dot + pen.px(7)
+        for text in pen.wrap(board.on_words, room, 17)[:3]:
+            pen.write(text, (x, y), GOLD, 17)
+            y += pen.line(17)
+        return self._rule(x, y, room)
+
+    def _rule(self, x: int, y: int, room: int) -> int:
+        pygame.draw.line(
+            self.pen.surface, EDGE, (x, y + self.pen.px(8)), (x + room, y + self.pen.px(8))
+        )
+        return y + self.pen.px(20)
+
+    def _choices(self, session: Session, at: tuple[int, int], room: int) -> int:
+        """Draw the list of choices; return where it ends."""
+        pen, (x, y) = self.pen, at
         row = pen.line(18) + pen.px(12)
-        names = [f"{number}   {spoken(name)}" for number, name in enumerate(options, start=1)]
-        wide = max(pen.px(300), max(pen.width(name, 18) for name in names) + pen.px(60))
-        high = row * len(options) + pen.px(56)
-        left, top = self._centre(wide, high)
-        pen.panel((left, top, wide, high))
-        pen.write("Choose", (left + wide // 2, top + pen.px(12)), TEXT, 19, "middle")
-        for place, name in enumerate(names):
-            box = (left + pen.px(12), top + pen.px(44) + place * row, wide - pen.px(24), row - 4)
+        pen.write(f"{player_name(session.shown.shooter)}, choose", (x, y), TEXT, 17)
+        y += pen.line(17) + pen.px(8)
+        for place, option in enumerate(session.match.situation.options):
+            box = (x, y, room, row - pen.px(4))
             picked = place == session.picked
-            if picked:
-                pygame.draw.rect(pen.surface, (60, 54, 32), box, border_radius=4)
-                pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=4)
-            colour = TEXT if picked else TONES["plain"]
-            pen.write(name, (box[0] + pen.px(14), box[1] + pen.px(5)), colour, 18)
+            colour = (60, 54, 32) if picked else (36, 40, 48)
+            pygame.draw.rect(pen.surface, colour, box, border_radius=4)
+            pygame.draw.rect(pen.surface, GOLD if picked else EDGE, box, 1, border_radius=4)
+            name = f"{place + 1}   {spoken(option)}"
+            tone = TEXT if picked else TONES["plain"]
+            pen.write(name, (x + pen.px(12), y + pen.px(4)), tone, 18, room=room - pen.px(20))
             self.hot[f"option:{place}"] = box
+            y += row
+        return self._rule(x, y, room)
 
-    def _centre(self, wide: int, high: int) -> tuple[int, int]:
-        _, top, width, height = self.picture_box()
-        return (width - wide) // 2, top + max((height - high) // 2, 0)
-
-    def _verdict(self, title: str, lines: list[Line]) -> None:
-        pen = self.pen
-        wide = min(pen.px(400), pen.surface.get_width() - 20)
-        inner = wide - pen.px(28)
+    def _told(
+        self,
+        title: str,
+        lines: list[Line],
+        at: tuple[int, int],
+        room: int,
+        height: int,
+        *,
+        fresh: bool,
+    ) -> None:
+        """Write the referee's words; brighter while they are new."""
+        pen, (x, y) = self.pen, at
         rows = [
             (text, line.tone)
             for line in lines
-            for text in pen.wrap(line.text, inner, 16 if line.tone != "faint" else 14)
+            for text in pen.wrap(line.text, room, 16 if line.tone != "faint" else 14)
         ]
-        _, top, width, height = self.picture_box()
-        row = pen.line(16)
-        most = max(1, (height - pen.px(60)) // row)
-        if len(rows) > most:
-            rows = [*rows[: most - 2], ("(H for all of it)", "faint"), rows[-1]]
-        high = row * len(rows) + pen.px(46)
-        left, upper = width - wide - pen.px(12), top + height - high - pen.px(12)
-        pen.panel((left, upper, wide, high))
-        pen.write(title, (left + pen.px(14), upper + pen.px(10)), FAINT, 14)
-        for place, (text, tone) in enumerate(rows):
+        row = pen.line(16) + pen.px(1)
+        most = max(1, (height - pen.px(42)) // row)
+        if len(rows) > most > 2:
+            rows = [*rows[: most - 2], ("(H tells all of it)", "faint"), rows[-1]]
+        pen.write(title, (x, y), GOLD if fresh else FAINT, 14)
+        y += pen.line(14) + pen.px(4)
+        for text, tone in rows[:most]:
             size = 14 if tone == "faint" else 16
-            at = left + pen.px(14), upper + pen.px(34) + place * row
-            pen.write(text, at, TONES[tone], size, room=inner)
+            colour = TONES[tone] if fresh else _dimmed(TONES[tone])
+            pen.write(text, (x, y), colour, size, room=room)
+            y += row
 
 
 def _distinct(kinds: list[BallKind]) -> list[BallKind]:
@@ -225,6 +253,11 @@ def _dot(pen: Pen, middle: tuple[int, int], radius: int, kind: BallKind) -> None
     else:
         pygame.draw.circle(pen.surface, kind.colour, middle, radius)
     pygame.draw.circle(pen.surface, FAINT, middle, radius, 1)
+
+
+def _dimmed(colour: tuple[int, int, int]) -> tuple[int, int, int]:
+    red, green, blue = (round(part * 0.72) for part in colour)
+    return red, green, blue
 
 
 def _heat(share: float) -> tuple[int, int, int]:

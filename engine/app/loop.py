@@ -16,7 +16,7 @@ from engine.app.controls import Ask, Controls, Screen
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
 from engine.app.overlay import draw_called
-from engine.app.pages import Page, draw_page
+from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import FAINT, GOLD, TEXT, Pen
 from engine.app.session import Mode, act, pass_time
 from engine.app.view import View, camera_of, stroke_seen
@@ -117,6 +117,9 @@ class Loop:
         self.scroll -= 3 * self.hands.wheel
         for key in self.hands.pressed:
             self.scroll += PAGE_KEYS.get(key, 0)
+            if self.page is Page.MENU and key in ("return", "enter", "space"):
+                self._answer(Ask(MENU[min(max(self.scroll, 0), len(MENU) - 1)][0]))
+                return
             if key in ("escape", "f1", "h", "return", "enter", "space"):
                 self.page = None
                 return
@@ -174,9 +177,8 @@ class Loop:
         screen = self.screen()
         renderer = self.startup.pick(self.renderer)
         if renderer is not None:
-            _, top, _, height = screen.picture
             scene = self.showing.scene(self.session, screen.camera)
-            renderer.render(scene, self.window.rows(top, height))
+            renderer.render(scene, self.window.part(screen.picture))
         draw_called(self.hud.pen, self.session, screen)
         self.hud.draw(self.session, self._status())
         if self.page is not None:

@@ -59,40 +59,47 @@ def rows_of(page: Page, session: Session) -> list[Row]:
 def _help() -> list[Row]:
     rows = []
     for group in keys.groups():
+        rows += [Row(Line(""))] if rows else []
         rows.append(Row(Line(group, "head")))
         for one in keys.BINDINGS:
             if one.group == group:
                 fine = "; Shift: fine" if one.takes == "shift" else ""
                 rows.append(Row(Line(one.about + fine), one.shown))
-    rows.append(Row(Line("Mouse", "head")))
+    rows += [Row(Line("")), Row(Line("Mouse", "head"))]
     rows += [Row(Line(about), what) for what, about in keys.MOUSE]
     return rows
 
 
 def draw_page(hud: Hud, page: Page, session: Session, scroll: int) -> int:
-    """Draw a page, scrolled by rows; return how far it can be scrolled."""
+    """Draw a page, scrolled by rows or with that row picked; return how far that can go."""
     pen = hud.pen
     width, height = pen.surface.get_size()
     wide = min(pen.px(440 if page is Page.MENU else 860), width - 24)
     rows = _wrapped(hud, rows_of(page, session), wide)
-    step = pen.line(16) + (pen.px(10) if page is Page.MENU else 0)
+    step = pen.line(16) + pen.px(12 if page is Page.MENU else 3)
     most = max(1, (height - pen.px(110)) // step)
     last = max(0, len(rows) - most)
     first = min(max(scroll, 0), last)
+    picked = min(max(scroll, 0), len(rows) - 1) if page is Page.MENU else -1
     shown = rows[first : first + most]
     high = step * len(shown) + pen.px(70)
     left, top = (width - wide) // 2, (height - high) // 2
-    pen.panel((left, top, wide, high), 247)
+    pen.panel((0, 0, width, height), 150, None)
+    pen.panel((left, top, wide, high), 255)
     pen.write(page.value, (left + pen.px(20), top + pen.px(12)), TEXT, 21)
     ending = (
         "Esc closes" if not last else f"wheel or arrows scroll {first + 1}/{last + 1}   Esc closes"
     )
     pen.write(ending, (left + wide - pen.px(20), top + pen.px(17)), FAINT, 13, "right")
-    if page is not Page.HELP:
-        hud.hot.clear()
+    hud.hot.clear()
     for place, row in enumerate(shown):
-        _draw_row(hud, row, (left + pen.px(20), top + pen.px(52) + place * step, wide, step))
-    return last
+        _draw_row(
+            hud,
+            row,
+            (left + pen.px(20), top + pen.px(52) + place * step, wide, step),
+            picked == first + place,
+        )
+    return len(rows) - 1 if page is Page.MENU else last
 
 
 def _wrapped(hud: Hud, rows: list[Row], wide: int) -> list[Row]:
@@ -110,7 +117,7 @@ def _wrapped(hud: Hud, rows: list[Row], wide: int) -> list[Row]:
     return found
 
 
-def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int]) -> None:
+def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int], picked: bool) -> None:  # noqa: FBT001
     pen = hud.pen
     x, y, wide, step = box
     if row.keys:
@@ -118,7 +125,11 @@ def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int]) -> None:
         x += pen.px(240)
     if row.hot:
         place = x, y - pen.px(4), wide - pen.px(40), step - 2
-        pygame.draw.rect(pen.surface, (40, 44, 54), place, border_radius=4)
+        pygame.draw.rect(
+            pen.surface, (60, 54, 32) if picked else (40, 44, 54), place, border_radius=4
+        )
+        if picked:
+            pygame.draw.rect(pen.surface, GOLD, place, 1, border_radius=4)
         hud.hot[row.hot] = place
         x += pen.px(12)
     pen.write(row.line.text, (x, y), TONES[row.line.tone], 16)

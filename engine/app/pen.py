@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import pygame
+import pygame.freetype
 
 if TYPE_CHECKING:
     from engine.app.controls import Box
@@ -33,27 +34,29 @@ class Pen:
 
     surface: pygame.Surface
     scale: float = 1.0
-    _fonts: dict[int, pygame.font.Font] = field(default_factory=dict)
+    _fonts: dict[int, pygame.freetype.Font] = field(default_factory=dict)
     _texts: dict[tuple[str, int, Colour], pygame.Surface] = field(default_factory=dict)
 
     def px(self, size: float) -> int:
         """Return text pixels as whole pixels of the window."""
         return max(1, round(size * self.scale))
 
-    def font(self, size: float = BASE) -> pygame.font.Font:
-        """Return pygame's own font in a size."""
+    def font(self, size: float = BASE) -> pygame.freetype.Font:
+        """Return pygame's own font in a size; its letters are evenly spaced when small."""
         pixels = max(9, self.px(size))
         if pixels not in self._fonts:
-            self._fonts[pixels] = pygame.font.Font(None, round(pixels * 1.32))
+            font = pygame.freetype.Font(None, 0.94 * pixels)
+            font.pad = True
+            self._fonts[pixels] = font
         return self._fonts[pixels]
 
     def line(self, size: float = BASE) -> int:
         """Return the height of a line of text."""
-        return self.font(size).get_linesize()
+        return int(self.font(size).get_sized_height())
 
     def width(self, text: str, size: float = BASE) -> int:
         """Return the width of a text."""
-        return self.font(size).size(text)[0]
+        return int(self.font(size).get_rect(text).width)
 
     def write(
         self,
@@ -87,7 +90,7 @@ class Pen:
         if key not in self._texts:
             if len(self._texts) > KEPT:
                 self._texts.clear()
-            self._texts[key] = self.font(size).render(text, True, colour)  # noqa: FBT003
+            self._texts[key] = self.font(size).render(text, colour)[0]
         return self._texts[key]
 
     def wrap(self, text: str, room: int, size: float = BASE) -> list[str]:

@@ -42,8 +42,8 @@ def play(
 ) -> int:
     """Play a game in a window until the player quits; return the exit status.
 
-    `settings` are the variant's, as text. `resume` is the path of a journal, or True for the
-    newest one of this variant. `each` is called before every frame, with the loop.
+    `settings` are the variant's, as text. `resume` is the path of a journal, or True for
+    `journal`, or without one the newest of this variant. `each` is called before every frame, with the loop.
     Status 2: what was asked for cannot be, told on stderr.
     """
     try:
@@ -69,7 +69,7 @@ def _with(
         return Settings.model_validate(settings.model_dump() | said)
     except ValueError as trouble:
         wrong = ", ".join(f"{key} {value}" for key, value in said.items())
-        known = "renderer wireframe, painter or scanline; rate 5 to 1000; size 480x320 or more"
+        known = "renderer wireframe, painter or scanline; rate 1 to 1000; size 480x320 or more"
         raise PlayError(f"this does not fit: {wrong}; use {known}") from trouble
 
 
@@ -84,14 +84,27 @@ def _match(
     """Return the match, the path of its journal, and whether the journal goes on."""
     variant = load_variant(name)
     if resume:
-        path = newest_journal(variant.name) if resume is True else Path(str(resume))
-        return _resumed(path), path, True
+        path = _journal_to_resume(variant.name, resume, journal)
+        match = _resumed(path)
+        if match.variant.name != variant.name:
+            raise PlayError(f"{path} holds a match of {match.variant.name}, not of {variant.name}")
+        return match, path, True
     now = datetime.now(tz=UTC)
     chosen = {key: read_value(variant, key, text) for key, text in settings.items()}
     lot = int(now.timestamp()) % 1_000_000 if seed is None else seed
     stem = f"{variant.name}-{now.strftime('%Y%m%d-%H%M%S')}.toml"
     path = Path(journal) if journal else data_folder() / "journals" / stem
     return start_match(variant, players, chosen, lot), path, False
+
+
+def _journal_to_resume(
+    name: str,
+    resume: str | Path | bool,  # noqa: FBT001  a flag or a path
+    journal: str | Path | None,
+) -> Path:
+    if resume is not True:
+        return Path(str(resume))
+    return Path(journal) if journal else newest_journal(name)
 
 
 def _resumed(path: Path) -> Match:

@@ -248,7 +248,7 @@ def _set(session: Session, command: commands.Command) -> Session:
             return _move_ball(session, command)
         case commands.Turn() | commands.AimAt() | commands.SetSpeed():
             return replace(session, stroke=_aimed(session, command))
-        case commands.SetTip() | commands.SetElevation():
+        case commands.SetTip() | commands.MoveTip() | commands.SetElevation():
             return replace(session, stroke=_aimed(session, command))
         case _:
             return _called(session, command)
@@ -304,6 +304,9 @@ def _aimed(session: Session, command: commands.Command) -> Stroke:
             return stroke.at(speed)
         case commands.SetTip(side, follow):
             return stroke.tipped(side, follow, session.tip_limit)
+        case commands.MoveTip(side, follow):
+            limit = session.tip_limit
+            return stroke.tipped(stroke.side + side, stroke.follow + follow, limit)
         case commands.SetElevation(elevation):
             return stroke.raised(elevation)
     return stroke

@@ -27,7 +27,7 @@ class Settings(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
-    rate: int = Field(60, ge=5, le=1000)
+    rate: int = Field(60, ge=1, le=1000)
     renderer: RendererName = "scanline"
     width: int = Field(1280, ge=480, le=7680)
     height: int = Field(720, ge=320, le=4320)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import pygame
+import pygame.freetype
 
 from engine.app import inputs
 
@@ -49,12 +50,14 @@ class Window:
             found += translate(event)
         return found
 
-    def rows(self, top: int, height: int) -> NDArray[np.uint32]:
-        """Lend rows of the window's memory as (height, w) uint32 0x00RRGGBB.
+    def part(self, box: tuple[int, int, int, int]) -> NDArray[np.uint32]:
+        """Lend a box of the window's memory as (height, width) uint32 0x00RRGGBB.
 
         Nothing else may draw in the window while the array is kept.
         """
-        return pygame.surfarray.pixels2d(self.surface).T[top : top + height]
+        left, top, width, height = box
+        rows: NDArray[np.uint32] = pygame.surfarray.pixels2d(self.surface).T
+        return rows[top : top + height, left : left + width]
 
     def show(self) -> None:
         """Bring what was drawn to the screen."""
@@ -66,7 +69,7 @@ def open_window(size: tuple[int, int], title: str) -> Window:
     os.environ.setdefault("SDL_FRAMEBUFFER_ACCELERATION", "0")
     try:
         pygame.display.init()
-        pygame.font.init()
+        pygame.freetype.init()
         pygame.display.set_caption(title)
         surface = _set_mode(size)
     except pygame.error as trouble:
