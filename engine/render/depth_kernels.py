@@ -4,6 +4,11 @@ One idea: on a flat face 1/z is linear across the picture, and with it the place
 and its light follow from the ray alone; nothing else has to be carried along a span.
 Invariant: a pixel keeps the nearest surface; of equal depths the first one drawn.
 """
+# ruff: noqa: FBT001  a kernel takes its flags by place
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
@@ -11,13 +16,27 @@ from numba import njit
 from engine.render.raster import by_height, corners_of, rows_of, span_of
 from engine.render.shading import light_at, mix, texel
 
+if TYPE_CHECKING:
+    from engine.render.arrays import Bytes, Flags, Floats, Ints, Longs, Pixels, Singles
+
+
 ONE = np.float32(1.0)
 FULL = np.float32(255.0)
 HALF = np.float32(0.5)
 
 
 @njit(cache=True, nogil=True)
-def lit_span(row, depths, w, dw, ray, colour, lit, lamps, shares):
+def lit_span(
+    row: Pixels,
+    depths: Singles,
+    w: np.float32,
+    dw: np.float32,
+    ray: tuple[np.float32, np.float32, np.float32],
+    colour: tuple[np.float32, np.float32, np.float32],
+    lit: np.float32,
+    lamps: Singles,
+    shares: Singles,
+) -> None:
     """Shade one span of a flat face whose 1/z is `w` at its first pixel and grows by `dw`.
 
     `ray` is |D|^2 and its first and second differences; `lit` the light from all round;
@@ -47,7 +66,17 @@ def lit_span(row, depths, w, dw, ray, colour, lit, lamps, shares):
 
 
 @njit(cache=True, nogil=True)
-def shiny_span(row, depths, w, dw, ray, normals, colour, gloss, scene):
+def shiny_span(
+    row: Pixels,
+    depths: Singles,
+    w: float,
+    dw: float,
+    ray: Floats,
+    normals: Floats,
+    colour: tuple[float, float, float],
+    gloss: float,
+    scene: tuple[Floats, Floats, float],
+) -> None:
     """Shade one span with highlights; `normals` (2, 3) over z at the first pixel, difference."""
     eye, lamps, ambient = scene
     count = row.shape[0]
@@ -71,7 +100,9 @@ def shiny_span(row, depths, w, dw, ray, normals, colour, gloss, scene):
 
 
 @njit(cache=True, nogil=True)
-def plane_of(p, q, r, a, b, c):
+def plane_of(
+    p: Floats, q: Floats, r: Floats, a: float, b: float, c: float
+) -> tuple[float, float, float]:
     """Return the value at pixel (0, 0)'s corner and the slopes of a value given at 3 corners."""
     x1, y1, x2, y2 = q[0] - p[0], q[1] - p[1], r[0] - p[0], r[1] - p[1]
     area = x1 * y2 - x2 * y1
@@ -83,29 +114,29 @@ def plane_of(p, q, r, a, b, c):
 
 @njit(cache=True, nogil=True)
 def draw_triangles(
-    image,
-    depth,
-    top,
-    bottom,
-    seen,
-    screen,
-    triangles,
-    faces,
-    face_normals,
-    face_offsets,
-    face_colours,
-    face_light,
-    face_smooth,
-    normals,
-    eye,
-    basis,
-    focal,
-    near,
-    lamps,
-    ambient,
-    flat,
-    shades,
-):
+    image: Pixels,
+    depth: Singles,
+    top: int,
+    bottom: int,
+    seen: Floats,
+    screen: Floats,
+    triangles: Ints,
+    faces: Ints,
+    face_normals: Floats,
+    face_offsets: Floats,
+    face_colours: Bytes,
+    face_light: Singles,
+    face_smooth: Flags,
+    normals: Singles,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    lamps: Floats,
+    ambient: float,
+    flat: bool,
+    shades: Pixels,
+) -> None:
     """Draw the triangles turned to the eye. With `flat`, each face has its colour in `shades`."""
     height, width = image.shape
     corner = np.empty((4, 3))
@@ -213,25 +244,25 @@ def draw_triangles(
 
 @njit(cache=True, nogil=True)
 def draw_spheres(
-    image,
-    depth,
-    top,
-    bottom,
-    order,
-    centres,
-    rotations,
-    radii,
-    colours,
-    gloss,
-    skins,
-    skin_places,
-    eye,
-    basis,
-    focal,
-    near,
-    lamps,
-    ambient,
-):
+    image: Pixels,
+    depth: Singles,
+    top: int,
+    bottom: int,
+    order: Longs,
+    centres: Floats,
+    rotations: Floats,
+    radii: Floats,
+    colours: Bytes,
+    gloss: Singles,
+    skins: Bytes,
+    skin_places: Ints,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    lamps: Floats,
+    ambient: float,
+) -> None:
     """Draw spheres from their equation, far ones first, with blended outlines."""
     height, width = image.shape
     for s in order:
@@ -312,22 +343,22 @@ def draw_spheres(
 
 @njit(cache=True, nogil=True)
 def draw_tints(
-    image,
-    depth,
-    top,
-    bottom,
-    seen,
-    screen,
-    triangles,
-    faces,
-    face_normals,
-    face_offsets,
-    face_colours,
-    face_light,
-    eye,
-    focal,
-    near,
-):
+    image: Pixels,
+    depth: Singles,
+    top: int,
+    bottom: int,
+    seen: Floats,
+    screen: Floats,
+    triangles: Ints,
+    faces: Ints,
+    face_normals: Floats,
+    face_offsets: Floats,
+    face_colours: Bytes,
+    face_light: Singles,
+    eye: Floats,
+    focal: float,
+    near: float,
+) -> None:
     """Mix in the triangles that let light through; they hide nothing."""
     height, width = image.shape
     corner = np.empty((4, 3))

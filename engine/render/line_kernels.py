@@ -4,13 +4,21 @@ One idea: a stroke steps along its longer way and covers, across it, the share o
 that its width reaches. Invariant: a row outside [`top`, `bottom`) is never touched, so bands of
 rows may be drawn at the same time.
 """
+# ruff: noqa: FBT001  a kernel takes its flags by place
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
 
+if TYPE_CHECKING:
+    from engine.render.arrays import Bytes, Floats, Ints, Pixels, Singles
+
 
 @njit(cache=True, nogil=True, inline="never")
-def blend(image, y, x, r, g, b, share):
+def blend(image: Pixels, y: int, x: int, r: float, g: float, b: float, share: float) -> None:
     """Mix a colour into one pixel of an (h, w) uint32 image, 0x00RRGGBB."""
     old = image[y, x]
     keep = 1.0 - share
@@ -21,12 +29,23 @@ def blend(image, y, x, r, g, b, share):
 
 
 @njit(cache=True, nogil=True)
-def stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, least):
+def stroke(
+    image: Pixels,
+    depth: Singles,
+    tested: bool,
+    top: int,
+    bottom: int,
+    line: tuple[float, float, float, float, float, float],
+    colour: Bytes,
+    alpha: float,
+    scale: float,
+    least: float,
+) -> None:
     """Draw one stroke from `line` (x, y in pixels, 1/z at both ends).
 
     Half its width is `scale` times 1/z, and `least` pixels at least.
     """
-    height, width = image.shape
+    width = image.shape[1]
     x0, y0, w0, x1, y1, w1 = line
     # Liang-Barsky against the picture, with room for the stroke's width
     room = max(scale * max(w0, w1), least) + 2.0
@@ -55,7 +74,7 @@ def stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, least)
     long = dy if steep else dx
     if long == 0.0:
         return
-    start, end = (y0, y1) if steep else (x0, x1)
+    start = y0 if steep else x0
     low, high = start + enter * long, start + leave * long
     if low > high:
         low, high = high, low
@@ -86,7 +105,20 @@ def stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, least)
 
 
 @njit(cache=True, nogil=True)
-def segment(image, depth, tested, top, bottom, a, b, view, colour, alpha, width, least):
+def segment(
+    image: Pixels,
+    depth: Singles,
+    tested: bool,
+    top: int,
+    bottom: int,
+    a: Floats,
+    b: Floats,
+    view: tuple[Floats, Floats, float, float],
+    colour: Bytes,
+    alpha: float,
+    width: float,
+    least: float,
+) -> None:
     """Draw a segment between two points in the world, clipped at the near plane."""
     eye, basis, focal, near = view
     ends = np.empty((2, 3))
@@ -120,8 +152,21 @@ def segment(image, depth, tested, top, bottom, a, b, view, colour, alpha, width,
 
 @njit(cache=True, nogil=True)
 def draw_segments(
-    image, depth, tested, top, bottom, ends, colours, widths, alphas, eye, basis, focal, near, least
-):
+    image: Pixels,
+    depth: Singles,
+    tested: bool,
+    top: int,
+    bottom: int,
+    ends: Floats,
+    colours: Bytes,
+    widths: Floats,
+    alphas: Floats,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    least: float,
+) -> None:
     """Draw segments (n, 2, 3); where `tested`, only in front of `depth` (1/z)."""
     view = (eye, basis, focal, near)
     for i in range(len(ends)):
@@ -142,7 +187,7 @@ def draw_segments(
 
 
 @njit(cache=True, nogil=True)
-def select_edges(edges, normals, offsets, eye, chosen):
+def select_edges(edges: Ints, normals: Floats, offsets: Floats, eye: Floats, chosen: Ints) -> int:
     """Write the numbers of edges with a face turned to the eye to `chosen`; return how many."""
     count = 0
     for i in range(len(edges)):

@@ -6,17 +6,27 @@ Invariant: the order depends on the scene and the eye alone. A cycle, should one
 broken at the farthest part.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numba import njit
 
 from engine.render.outline import apart
+
+if TYPE_CHECKING:
+    from engine.render.arrays import Floats, Ints, Longs
+
 
 TOUCH = -1e-6
 """Parts may share a border; a gap above this is a border (m)."""
 
 
 @njit(cache=True, nogil=True)
-def support(points, start, end, a, b, c):
+def support(
+    points: Floats, start: int, end: int, a: float, b: float, c: float
+) -> tuple[float, float]:
     """Return the least and greatest a x + b y + c z of the points start to end."""
     low, high = 1e30, -1e30
     for i in range(start, end):
@@ -26,7 +36,16 @@ def support(points, start, end, a, b, c):
 
 
 @njit(cache=True, nogil=True)
-def part_planes(points, planes, starts, traits, face_normals, one, two, best):
+def part_planes(
+    points: Floats,
+    planes: Floats,
+    starts: Ints,
+    traits: Ints,
+    face_normals: Floats,
+    one: int,
+    two: int,
+    best: Floats,
+) -> float:
     """Write the best plane with part `one` below and part `two` above; return the gap."""
     gap = -1e30
     for turn in range(2):
@@ -56,7 +75,7 @@ def part_planes(points, planes, starts, traits, face_normals, one, two, best):
 
 
 @njit(cache=True, nogil=True)
-def skew_plane(points, starts, one, two, gap, best):
+def skew_plane(points: Floats, starts: Ints, one: int, two: int, gap: float, best: Floats) -> float:
     """Look for a plane that follows no face, by Gilbert's steps; keep the better of both."""
     i, j = starts[one, 0], starts[two, 0]
     qx = points[j, 0] - points[i, 0]
@@ -94,7 +113,9 @@ def skew_plane(points, starts, one, two, gap, best):
 
 
 @njit(cache=True, nogil=True)
-def plane_table(points, planes, starts, traits, face_normals, table):
+def plane_table(
+    points: Floats, planes: Floats, starts: Ints, traits: Ints, face_normals: Floats, table: Floats
+) -> None:
     """Fill (p, p, 4) with the plane between every two parts, the first of the pair below."""
     count = len(traits)
     best = np.zeros(4)
@@ -109,7 +130,9 @@ def plane_table(points, planes, starts, traits, face_normals, table):
 
 
 @njit(cache=True, nogil=True)
-def sphere_in_front(points, planes, starts, part, centre, eye):
+def sphere_in_front(
+    points: Floats, planes: Floats, starts: Ints, part: int, centre: Floats, eye: Floats
+) -> bool:
     """Return whether a sphere may hide a convex part: the eye is on its side of a plane.
 
     The plane stands across the way from the part's nearest point, found by Gilbert's steps
@@ -150,7 +173,20 @@ def sphere_in_front(points, planes, starts, part, centre, eye):
 
 
 @njit(cache=True, nogil=True)
-def hides(i, j, fixed, points, planes, starts, traits, face_normals, table, centres, eye, best):
+def hides(
+    i: int,
+    j: int,
+    fixed: int,
+    points: Floats,
+    planes: Floats,
+    starts: Ints,
+    traits: Ints,
+    face_normals: Floats,
+    table: Floats,
+    centres: Floats,
+    eye: Floats,
+    best: Floats,
+) -> int:
     """Return 1 where item i may hide item j, -1 the other way; parts count before spheres."""
     parts = len(traits)
     if i < parts and j < parts:
@@ -174,22 +210,22 @@ def hides(i, j, fixed, points, planes, starts, traits, face_normals, table, cent
 
 @njit(cache=True, nogil=True)
 def sort_items(
-    chosen,
-    boxes,
-    outlines,
-    spans,
-    far,
-    fixed,
-    points,
-    planes,
-    starts,
-    traits,
-    face_normals,
-    table,
-    centres,
-    eye,
-    order,
-):
+    chosen: Ints,
+    boxes: Floats,
+    outlines: Floats,
+    spans: Longs,
+    far: Floats,
+    fixed: int,
+    points: Floats,
+    planes: Floats,
+    starts: Ints,
+    traits: Ints,
+    face_normals: Floats,
+    table: Floats,
+    centres: Floats,
+    eye: Floats,
+    order: Ints,
+) -> int:
     """Write `chosen` items to `order` so that what may hide comes after what it hides.
 
     `boxes` (n, 4) and `far` (n,), squared distances, count parts first, then spheres. Returns

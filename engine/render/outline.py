@@ -4,17 +4,25 @@ One idea: only parts whose outlines overlap need an order; boxes alone would ask
 are not needed, and those can run in a circle.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numba import njit
 
 from engine.render.raster import corners_of
+
+if TYPE_CHECKING:
+    from engine.render.arrays import Flags, Floats, Ints, Longs
+
 
 ROUND = 16
 """Corners of the polygon about a sphere's outline."""
 
 
 @njit(cache=True, nogil=True)
-def convex_hull(points, count, hull):
+def convex_hull(points: Floats, count: int, hull: Floats) -> int:
     """Write the hull of points (n, 2) to `hull` and return its size (Andrew 1979).
 
     The points are sorted in place.
@@ -28,7 +36,7 @@ def convex_hull(points, count, hull):
         points[k, 0], points[k, 1] = x, y
     size = 0
     for sweep in range(2):
-        least = size + 1 if sweep == 0 else size + 1
+        least = size + 1
         for step in range(count):
             i = step if sweep == 0 else count - 1 - step
             x, y = points[i, 0], points[i, 1]
@@ -48,7 +56,9 @@ def convex_hull(points, count, hull):
 
 
 @njit(cache=True, nogil=True)
-def close_outline(points, count, item, boxes, outlines, spans):
+def close_outline(
+    points: Floats, count: int, item: int, boxes: Floats, outlines: Floats, spans: Longs
+) -> None:
     """Write the hull and the box of an item's points; `spans` (n + 1,) says where it begins."""
     start = spans[item]
     size = convex_hull(points, count, outlines[start:]) if count > 0 else 0
@@ -62,24 +72,24 @@ def close_outline(points, count, item, boxes, outlines, spans):
 
 @njit(cache=True, nogil=True)
 def part_outlines(
-    seen,
-    screen,
-    triangles,
-    faces,
-    normals,
-    offsets,
-    starts,
-    traits,
-    eye,
-    focal,
-    near,
-    width,
-    height,
-    boxes,
-    outlines,
-    spans,
-    shown,
-):
+    seen: Floats,
+    screen: Floats,
+    triangles: Ints,
+    faces: Ints,
+    normals: Floats,
+    offsets: Floats,
+    starts: Ints,
+    traits: Ints,
+    eye: Floats,
+    focal: float,
+    near: float,
+    width: float,
+    height: float,
+    boxes: Floats,
+    outlines: Floats,
+    spans: Longs,
+    shown: Flags,
+) -> None:
     """Find what each part covers: hull and box of its triangles turned to the eye.
 
     The box of a part below layer 2 is left empty: it needs no order.
@@ -109,8 +119,19 @@ def part_outlines(
 
 @njit(cache=True, nogil=True)
 def sphere_outlines(
-    first, centres, radii, eye, basis, focal, near, width, height, boxes, outlines, spans
-):
+    first: int,
+    centres: Floats,
+    radii: Floats,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    width: float,
+    height: float,
+    boxes: Floats,
+    outlines: Floats,
+    spans: Longs,
+) -> None:
     """Find what each sphere covers, as item `first` and on: a polygon about its outline."""
     points = np.empty((ROUND, 2))
     for s in range(len(radii)):
@@ -142,7 +163,7 @@ def sphere_outlines(
 
 
 @njit(cache=True, nogil=True)
-def apart(outlines, spans, i, j):
+def apart(outlines: Floats, spans: Longs, i: int, j: int) -> bool:
     """Return whether a side of outline i has the whole of outline j beyond it."""
     first, last = spans[i], spans[i + 1]
     for k in range(first, last):

@@ -8,6 +8,7 @@ bed with its marks and shadows, then what stands on it.
 
 from __future__ import annotations
 
+import itertools
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from engine.render import line_kernels, order, outline, painter_kernels, raster,
 from engine.render.image import Canvas, Picture
 from engine.render.pack import Pack, Packer, UnitSpheres, View, join, lines_of, view_of
 from engine.render.scanline import discs_of, lamps_of, shade_background
+from engine.render.warm import tiny_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -44,8 +46,6 @@ class Painter:
 
     def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
-        from engine.render.warm import tiny_scene
-
         if progress:
             progress("painter", 0.1)
         self.render(tiny_scene(), np.zeros((16, 16), np.uint32))
@@ -76,8 +76,7 @@ class Painter:
         else:
             cuts = [len(pixels) * k // self._threads for k in range(self._threads + 1)]
             bands = [
-                self._pool.submit(frame.paint, pixels, a, b)
-                for a, b in zip(cuts[:-1], cuts[1:], strict=True)
+                self._pool.submit(frame.paint, pixels, a, b) for a, b in itertools.pairwise(cuts)
             ]
             for band in bands:
                 band.result()
@@ -191,8 +190,8 @@ class _Frame:
         inside = (
             (boxes[:, 2] > 0.0) & (boxes[:, 0] < wide) & (boxes[:, 3] > 0.0) & (boxes[:, 1] < tall)
         )
-        chosen = np.flatnonzero(np.concatenate([shown & (layers >= 2), high]) & inside)
-        chosen = chosen.astype(np.int32)
+        found = np.flatnonzero(np.concatenate([shown & (layers >= 2), high]) & inside)
+        chosen: NDArray[np.int32] = found.astype(np.int32)
         middles = (pack.starts[:-1, 0]).astype(np.int64)
         places = np.concatenate([pack.points[middles], s.centres]) if parts else s.centres
         far = ((places - view.eye) ** 2).sum(axis=1)
@@ -230,7 +229,7 @@ class _Frame:
         shading.draw_discs(
             pixels,
             NO_DEPTH,
-            False,
+            False,  # noqa: FBT003  a kernel's flag
             top,
             bottom,
             self.discs,
@@ -243,7 +242,7 @@ class _Frame:
         line_kernels.draw_segments(
             pixels,
             NO_DEPTH,
-            False,
+            False,  # noqa: FBT003  a kernel's flag
             top,
             bottom,
             self.lines.ends,

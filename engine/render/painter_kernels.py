@@ -1,4 +1,9 @@
 """The painter's strokes: parts and spheres filled one after the other, each face one light."""
+# ruff: noqa: FBT001  a kernel takes its flags by place
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
@@ -6,26 +11,29 @@ from numba import njit
 from engine.render.raster import SNAP, by_height, corners_of, fill_flat, rows_of, span_of
 from engine.render.shading import light_at, mix, texel
 
+if TYPE_CHECKING:
+    from engine.render.arrays import Bytes, Floats, Ints, Pixels, Singles
+
 
 @njit(cache=True, nogil=True)
 def paint_part(
-    image,
-    top,
-    bottom,
-    first,
-    last,
-    seen,
-    screen,
-    triangles,
-    faces,
-    normals,
-    offsets,
-    lights,
-    shades,
-    eye,
-    focal,
-    near,
-):
+    image: Pixels,
+    top: int,
+    bottom: int,
+    first: int,
+    last: int,
+    seen: Floats,
+    screen: Floats,
+    triangles: Ints,
+    faces: Ints,
+    normals: Floats,
+    offsets: Floats,
+    lights: Singles,
+    shades: Pixels,
+    eye: Floats,
+    focal: float,
+    near: float,
+) -> None:
     """Fill the triangles first to last that are turned to the eye."""
     height, width = image.shape
     corner = np.empty((4, 3))
@@ -49,7 +57,20 @@ def paint_part(
 
 
 @njit(cache=True, nogil=True)
-def fill_skin(image, top, bottom, p, q, r, own, light, shine, skins, offset, size):
+def fill_skin(
+    image: Pixels,
+    top: int,
+    bottom: int,
+    p: Floats,
+    q: Floats,
+    r: Floats,
+    own: Floats,
+    light: float,
+    shine: float,
+    skins: Bytes,
+    offset: int,
+    size: int,
+) -> None:
     """Fill one triangle with a skin under one light; `own` (3, 3): directions at its corners."""
     x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
     if cross == 0.0:
@@ -78,30 +99,30 @@ def fill_skin(image, top, bottom, p, q, r, own, light, shine, skins, offset, siz
 
 @njit(cache=True, nogil=True)
 def paint_sphere(
-    image,
-    top,
-    bottom,
-    upper_half,
-    points,
-    triangles,
-    faces,
-    normals,
-    face_centres,
-    centre,
-    rotation,
-    radius,
-    colour,
-    gloss,
-    skins,
-    offset,
-    size,
-    eye,
-    basis,
-    focal,
-    near,
-    lamps,
-    ambient,
-):
+    image: Pixels,
+    top: int,
+    bottom: int,
+    upper_half: bool,
+    points: Floats,
+    triangles: Ints,
+    faces: Ints,
+    normals: Floats,
+    face_centres: Floats,
+    centre: Floats,
+    rotation: Floats,
+    radius: float,
+    colour: Bytes,
+    gloss: float,
+    skins: Bytes,
+    offset: int,
+    size: int,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    lamps: Floats,
+    ambient: float,
+) -> None:
     """Fill a sphere made of the unit sphere's triangles; `upper_half`: only above the ground."""
     height, width = image.shape
     away = 0.0

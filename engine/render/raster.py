@@ -6,14 +6,32 @@ Invariant: a pixel whose middle is inside a closed surface's outline is hit exac
 front; a row outside [`top`, `bottom`) is never touched.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numba import njit
+
+if TYPE_CHECKING:
+    from engine.render.arrays import Floats, Pixels
+
 
 SNAP = 256.0
 
 
 @njit(cache=True, nogil=True)
-def project_points(points, eye, basis, focal, near, width, height, seen, screen):
+def project_points(
+    points: Floats,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    width: float,
+    height: float,
+    seen: Floats,
+    screen: Floats,
+) -> None:
     """Write camera coordinates to `seen` (n, 3), and x, y (px), 1/z to `screen` (n, 3).
 
     1/z is zero for a point nearer than the near plane.
@@ -34,7 +52,18 @@ def project_points(points, eye, basis, focal, near, width, height, seen, screen)
 
 
 @njit(cache=True, nogil=True)
-def corners_of(seen, screen, a, b, c, focal, near, width, height, out):
+def corners_of(
+    seen: Floats,
+    screen: Floats,
+    a: int,
+    b: int,
+    c: int,
+    focal: float,
+    near: float,
+    width: float,
+    height: float,
+    out: Floats,
+) -> int:
     """Write the corners of a triangle after the near clip to `out` (4, 3); return how many.
 
     A cut edge is always measured from its inner end outwards: neighbours cut alike.
@@ -73,7 +102,9 @@ def corners_of(seen, screen, a, b, c, focal, near, width, height, out):
 
 
 @njit(cache=True, nogil=True)
-def by_height(x0, y0, x1, y1, x2, y2):
+def by_height(
+    x0: float, y0: float, x1: float, y1: float, x2: float, y2: float
+) -> tuple[float, float, float, float, float, float, float]:
     """Return the corners from the upper to the lower, and whether the middle one is right."""
     if y1 < y0:
         x0, y0, x1, y1 = x1, y1, x0, y0
@@ -86,7 +117,17 @@ def by_height(x0, y0, x1, y1, x2, y2):
 
 
 @njit(cache=True, nogil=True)
-def span_of(y, width, x0, y0, x1, y1, x2, y2, cross):
+def span_of(
+    y: int,
+    width: int,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    x2: float,
+    y2: float,
+    cross: float,
+) -> tuple[int, int]:
     """Return the first pixel and the one after the last of a row; corners as `by_height`."""
     middle = y + 0.5
     along = x0 + (middle - y0) * ((x2 - x0) / (y2 - y0))
@@ -101,7 +142,7 @@ def span_of(y, width, x0, y0, x1, y1, x2, y2, cross):
 
 
 @njit(cache=True, nogil=True)
-def rows_of(y0, y2, top, bottom):
+def rows_of(y0: float, y2: float, top: int, bottom: int) -> tuple[int, int]:
     """Return the first row and the one after the last between two heights."""
     first = np.ceil(min(max(y0, top - 1.0), bottom + 1.0) - 0.5)
     last = np.ceil(min(max(y2, top - 1.0), bottom + 1.0) - 0.5)
@@ -109,7 +150,16 @@ def rows_of(y0, y2, top, bottom):
 
 
 @njit(cache=True, nogil=True)
-def fill_flat(image, top, bottom, p, q, r, colour, share):
+def fill_flat(
+    image: Pixels,
+    top: int,
+    bottom: int,
+    p: Floats,
+    q: Floats,
+    r: Floats,
+    colour: np.uint32,
+    share: float,
+) -> None:
     """Fill one triangle with one colour, or mix it in where `share` is less than 1."""
     x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
     if cross == 0.0:

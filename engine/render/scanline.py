@@ -7,6 +7,7 @@ Invariant: with the kept picture or without, with one thread or two, the pixels 
 
 from __future__ import annotations
 
+import itertools
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
@@ -26,6 +27,7 @@ from engine.render.pack import (
     sphere_pack,
     view_of,
 )
+from engine.render.warm import tiny_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,8 +63,6 @@ class Scanline:
 
     def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
-        from engine.render.warm import tiny_scene
-
         scene, picture = tiny_scene(), np.zeros((16, 16), np.uint32)
         if progress:
             progress("scanline", 0.1)
@@ -108,7 +108,7 @@ class Scanline:
             draw(0, height)
             return
         cuts = [height * k // self._threads for k in range(self._threads + 1)]
-        waiting = [self._pool.submit(draw, a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+        waiting = [self._pool.submit(draw, a, b) for a, b in itertools.pairwise(cuts)]
         for band in waiting:
             band.result()
 
@@ -188,7 +188,7 @@ class _Job:
         shading.draw_discs(
             self.pixels,
             self.depth,
-            True,
+            True,  # noqa: FBT003  a kernel's flag
             top,
             bottom,
             self.discs,
@@ -201,7 +201,7 @@ class _Job:
         line_kernels.draw_segments(
             self.pixels,
             self.depth,
-            True,
+            True,  # noqa: FBT003  a kernel's flag
             top,
             bottom,
             lines.ends,

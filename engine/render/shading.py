@@ -4,16 +4,36 @@ One idea: a lamp's light falls as n.L / |L|^2, as from a tube, which needs no ro
 follow Blinn (1977). Invariant: the same point in the same light has the same colour however it
 is filled.
 """
+# ruff: noqa: FBT001  a kernel takes its flags by place
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
+
+if TYPE_CHECKING:
+    from engine.render.arrays import Bytes, Floats, Pixels, Singles
+
 
 SHINE = 6
 """Highlights are raised to the power 2^SHINE."""
 
 
 @njit(cache=True, nogil=True)
-def light_at(px, py, pz, nx, ny, nz, eye, lamps, ambient, gloss):
+def light_at(
+    px: float,
+    py: float,
+    pz: float,
+    nx: float,
+    ny: float,
+    nz: float,
+    eye: Floats,
+    lamps: Floats,
+    ambient: float,
+    gloss: float,
+) -> tuple[float, float]:
     """Return the light on a point with a normal, and its highlight; lamps (n, 4) with power."""
     light = ambient * (0.76 + 0.24 * nz)
     shine = 0.0
@@ -39,7 +59,7 @@ def light_at(px, py, pz, nx, ny, nz, eye, lamps, ambient, gloss):
 
 
 @njit(cache=True, nogil=True)
-def mix(red, green, blue, light, shine):
+def mix(red: float, green: float, blue: float, light: float, shine: float) -> np.uint32:
     """Return a colour in light as 0x00RRGGBB."""
     white = 255.0 * shine
     r = min(red * light + white, 255.0)
@@ -49,7 +69,16 @@ def mix(red, green, blue, light, shine):
 
 
 @njit(cache=True, nogil=True)
-def shade_faces(centres, normals, colours, lights, eye, lamps, ambient, out):
+def shade_faces(
+    centres: Floats,
+    normals: Floats,
+    colours: Bytes,
+    lights: Singles,
+    eye: Floats,
+    lamps: Floats,
+    ambient: float,
+    out: Pixels,
+) -> None:
     """Write one colour for every face turned to the eye; the others are left alone."""
     for f in range(len(centres)):
         nx, ny, nz = normals[f, 0], normals[f, 1], normals[f, 2]
@@ -61,7 +90,7 @@ def shade_faces(centres, normals, colours, lights, eye, lamps, ambient, out):
 
 
 @njit(cache=True, nogil=True)
-def texel(offset, size, x, y, z):
+def texel(offset: int, size: int, x: float, y: float, z: float) -> int:
     """Return where in the flat skins the own direction (x, y, z) of a sphere is painted."""
     whole = abs(x) + abs(y) + abs(z)
     u, v = x / whole, y / whole
@@ -76,9 +105,22 @@ def texel(offset, size, x, y, z):
 
 
 @njit(cache=True, nogil=True)
-def draw_discs(image, depth, tested, top, bottom, discs, colours, eye, basis, focal, near):
-    """Mix in flat discs (n, 6): centre, radius, alpha, softness; where `tested`, only on what
-    lies at their own depth (1/z).
+def draw_discs(
+    image: Pixels,
+    depth: Singles,
+    tested: bool,
+    top: int,
+    bottom: int,
+    discs: Floats,
+    colours: Bytes,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+) -> None:
+    """Mix in flat discs (n, 6): centre, radius, alpha, softness.
+
+    Where `tested`, only on what lies at their own depth (1/z).
     """
     height, width = image.shape
     for k in range(len(discs)):

@@ -138,7 +138,7 @@ class Wireframe:
         line_kernels.draw_segments(
             pixels,
             NO_DEPTH,
-            False,
+            False,  # noqa: FBT003  a kernel's flag
             0,
             len(pixels),
             ends,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,8 +28,8 @@ def build_bed(table: Table, frame: Frame, colour: Rgb) -> Mesh:
     xs = [float(x) for x in np.linspace(-width, width, columns + 1)]
     ys = [float(y) for y in np.linspace(-height, height, rows + 1)]
     cells: list[plan.Polygon] = []
-    for x0, x1 in zip(xs[:-1], xs[1:], strict=True):
-        for y0, y1 in zip(ys[:-1], ys[1:], strict=True):
+    for x0, x1 in itertools.pairwise(xs):
+        for y0, y1 in itertools.pairwise(ys):
             cells.extend(_less_holes(plan.rectangle(x0, y0, x1, y1), table.pockets))
     return flat_sheet(plan.weld(cells), 0.0, colour, layer=1)
 

@@ -61,7 +61,7 @@ def _section(
         (k, SIDES + k, SIDES + after[k], after[k])[::-1] for k in range(SIDES)
     ]
     caps: list[tuple[int, ...]] = [tuple(range(SIDES)), tuple(reversed(range(SIDES, 2 * SIDES)))]
-    hidden = []
+    hidden: list[tuple[int, ...]] = []
     for cap, seen in zip(caps, (front, rear), strict=True):
         (shown if seen else hidden).append(cap)
     return make_mesh(points, shown, colour, hidden=hidden, gloss=0.5, smooth=True)

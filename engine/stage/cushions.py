@@ -6,6 +6,7 @@ where an outline bends the other way, each of its pieces is a part of its own.
 
 from __future__ import annotations
 
+import itertools
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -57,9 +58,9 @@ def _same(a: Point, b: Point) -> bool:
 
 def _parts(chain: list[Point], frame: Frame, colour: Rgb) -> list[Mesh]:
     if _bulges(chain):
-        start, end = max(zip(chain[:-1], chain[1:], strict=True), key=_length)
+        start, end = max(itertools.pairwise(chain), key=_length)
         return [_part(chain, start, end, frame, colour)]
-    pieces = zip(chain[:-1], chain[1:], strict=True)
+    pieces = itertools.pairwise(chain)
     return [_part([a, b], a, b, frame, colour) for a, b in pieces]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from math import cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
@@ -104,7 +105,7 @@ def build_shade(table: Table) -> list[Mesh]:
         strips = []
         for cushion in table.cushions:
             points = plan.trace_shapes(cushion.shapes, 0.2)
-            for (ax, ay), (bx, by) in zip(points[:-1], points[1:], strict=True):
+            for (ax, ay), (bx, by) in itertools.pairwise(points):
                 size = hypot(bx - ax, by - ay)
                 x, y = (ay - by) / size, (bx - ax) / size
                 near, far = -0.012, reach

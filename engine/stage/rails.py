@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,9 +30,11 @@ def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]
         else:
             plain.append(cell)
     blocks = [_block(_lengths(c), frame, [wood] * len(_lengths(c)), c) for c in plain]
-    for cell, pocket in round_pockets:
-        for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS):
-            blocks.append(_fan_block(wedge, pocket, frame, wood, liner))
+    blocks += [
+        _fan_block(wedge, pocket, frame, wood, liner)
+        for cell, pocket in round_pockets
+        for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS)
+    ]
     return blocks
 
 
@@ -42,9 +45,9 @@ def _lengths(cell: plan.Polygon) -> list[plan.Polygon]:
     steps = [k / count for k in range(count + 1)]
     if x1 - x0 >= y1 - y0:
         xs = [x0 + (x1 - x0) * s for s in steps]
-        return [plan.rectangle(a, y0, b, y1) for a, b in zip(xs[:-1], xs[1:], strict=True)]
+        return [plan.rectangle(a, y0, b, y1) for a, b in itertools.pairwise(xs)]
     ys = [y0 + (y1 - y0) * s for s in steps]
-    return [plan.rectangle(x0, a, x1, b) for a, b in zip(ys[:-1], ys[1:], strict=True)]
+    return [plan.rectangle(x0, a, x1, b) for a, b in itertools.pairwise(ys)]
 
 
 def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
@@ -58,12 +61,12 @@ def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
     across, along = sorted(xs), sorted(ys)
     cells = [
         plan.rectangle(a, s * m, b, s * n) if s > 0 else plan.rectangle(a, -n, b, -m)
-        for a, b in zip(across[:-1], across[1:], strict=True)
+        for a, b in itertools.pairwise(across)
         for s, m, n in ((1, iy, oy), (-1, iy, oy))
     ]
     cells += [
         plan.rectangle(m, a, n, b)
-        for a, b in zip(along[:-1], along[1:], strict=True)
+        for a, b in itertools.pairwise(along)
         for m, n in ((ix, ox), (-ox, -ix))
     ]
     for x0, x1 in ((ix, ox), (-ox, -ix)):

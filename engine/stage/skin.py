@@ -106,7 +106,8 @@ def _sample(ink: Field, right: Field, up: Field) -> Field:
     fy, fx = y - i, x - j
     upper = ink[i, j] * (1.0 - fx) + ink[i, j + 1] * fx
     lower = ink[i + 1, j] * (1.0 - fx) + ink[i + 1, j + 1] * fx
-    return upper * (1.0 - fy) + lower * fy
+    mixed: Field = upper * (1.0 - fy) + lower * fy
+    return mixed
 
 
 def facing(elevation_deg: float = 58.0) -> NDArray[np.float64]:

@@ -192,9 +192,12 @@ def test_lines_and_round_zones_are_drawn_once():
         lines={LineId("a"): Line((-0.7, -0.7), (-0.7, 0.7))},
         zones={
             ZoneId("half"): Area(
-                (HalfPlane((-0.7, 0.0), (-1.0, 0.0), True), Disc((-0.7, 0.0), 0.3, True))
+                (
+                    HalfPlane((-0.7, 0.0), (-1.0, 0.0), closed=True),
+                    Disc((-0.7, 0.0), 0.3, closed=True),
+                )
             ),
-            ZoneId("same"): Area((Disc((-0.7, 0.0), 0.3, True),)),
+            ZoneId("same"): Area((Disc((-0.7, 0.0), 0.3, closed=True),)),
             ZoneId("two"): Places(((0.0, 0.0), (0.1, 0.0))),
         },
     )
@@ -207,12 +210,12 @@ def test_lines_and_round_zones_are_drawn_once():
 
 def test_a_zone_is_tinted_where_it_is():
     table = TABLES["plain"]()
-    zone = Area((HalfPlane((-0.7, 0.0), (-1.0, 0.0), True),))
+    zone = Area((HalfPlane((-0.7, 0.0), (-1.0, 0.0), closed=True),))
     tint = tint_zone(zone, table, (255, 255, 0))
     assert isinstance(tint, Mesh)
     assert tint.positions[:, 0].max() == pytest.approx(-0.7)
     assert tint.positions[:, 0].min() == pytest.approx(-table.length / 2)
-    beyond = Area((HalfPlane((5.0, 0.0), (1.0, 0.0), True),))
+    beyond = Area((HalfPlane((5.0, 0.0), (1.0, 0.0), closed=True),))
     assert tint_zone(beyond, table, (255, 255, 0)) is None
 
 
