@@ -137,14 +137,24 @@ def _rest_apart(one: Floats, two: Floats, speed: float, reduced: float) -> float
     """Return the leaving speed of a resting contact, taking any gain from the balls' spin."""
     if speed >= KICK:
         return speed
-    gain = 0.5 * reduced * (KICK * KICK - speed * speed)
     store = spin_energy(one) + spin_energy(two)
-    if store <= 2.0 * gain:
-        return max(speed, 0.0)
-    factor = sqrt(1.0 - gain / store)
+    leaving, factor = kick(speed, reduced, store)
     scale_spin(one, factor)
     scale_spin(two, factor)
-    return KICK
+    return leaving
+
+
+@njit(cache=True, error_model="numpy")
+def kick(speed: float, mass: float, store: float) -> tuple[float, float]:
+    """Return the speed of a resting bounce and what is left of the spin that pays for it.
+
+    At most half of the energy `store` (J) is spent; `mass` is the one the speed belongs to.
+    """
+    gain = 0.5 * mass * (KICK * KICK - speed * speed)
+    if 2.0 * gain <= store:
+        return KICK, sqrt(1.0 - gain / store)
+    square = max(speed, 0.0) ** 2 + store / mass * (1.0 - 1e-12)
+    return sqrt(square), sqrt(0.5)
 
 
 __all__ = [
@@ -152,6 +162,7 @@ __all__ = [
     "find_rub",
     "friction",
     "give_rub",
+    "kick",
     "scale_spin",
     "spin_energy",
     "strike_apart",

@@ -192,20 +192,26 @@ def _pack_point(point: Point) -> list[float]:
 
 def _sharp_ends(shapes: list[tuple[Shape, Owner]]) -> list[tuple[Point, Owner]]:
     """Return the ends that stick out into the bed: free ends and convex corners."""
+    starts = [_start(shape) for shape, _ in shapes]
+    ends = [_end(shape) for shape, _ in shapes]
+    from_here = {_key(point): way for point, way in starts}
+    to_here = {_key(point) for point, _ in ends}
     found = []
-    for shape, owner in shapes:
-        end, way = _end(shape)
-        following = [other for other, _ in shapes if _near(_start(other)[0], end)]
-        if not following or _turns_right(way, _start(following[0])[1]):
+    for (_, owner), (start, _), (end, way) in zip(shapes, starts, ends, strict=True):
+        onward = from_here.get(_key(end))
+        if onward is None or _turns_right(way, onward):
             found.append((end, owner))
-        start = _start(shape)[0]
-        if not any(_near(_end(other)[0], start) for other, _ in shapes):
+        if _key(start) not in to_here:
             found.append((start, owner))
     return found
 
 
-def _near(one: Point, two: Point) -> bool:
-    return hypot(one[0] - two[0], one[1] - two[1]) < 1e-9
+def _key(point: Point) -> tuple[int, int]:
+    """Return the point on a grid so coarse that rounding seldom parts what belongs together.
+
+    Where it does, a tangent joint gets a needless point, which no ball can tell from the joint.
+    """
+    return round(point[0] * 1e7), round(point[1] * 1e7)
 
 
 def _turns_right(way: float, onward: float) -> bool:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from numba import njit
 
-from engine.physics.collide import scale_spin, spin_energy
+from engine.physics.collide import kick, scale_spin, spin_energy
 from engine.physics.state import (
     G_CUSHION,
     G_FRICTION,
@@ -64,12 +64,9 @@ def _rest(ball: Floats, speed: float) -> float:
     """Return the leaving speed of a resting contact, taking any gain from the ball's spin."""
     if speed >= KICK:
         return speed
-    gain = 0.5 * ball[MASS] * (KICK * KICK - speed * speed)
-    store = spin_energy(ball)
-    if store <= 2.0 * gain:
-        return max(speed, 0.0)
-    scale_spin(ball, sqrt(1.0 - gain / store))
-    return KICK
+    leaving, factor = kick(speed, ball[MASS], spin_energy(ball))
+    scale_spin(ball, factor)
+    return leaving
 
 
 @njit(cache=True, error_model="numpy")

@@ -68,5 +68,5 @@ STILL = 1e-9
 SOFT = 1e-3
 """An approach (m/s) below which a contact rests, carried by tiny lossless bounces."""
 
-KICK = 5e-4
+KICK = 1e-3
 """The least speed (m/s) at which a resting contact bounces, paid for by the balls' spin."""
