@@ -6,12 +6,14 @@ Invariant: building never fails on a tree that the grammar accepts.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lark import Token, Tree
 
 from rulelang import syntax as s
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 Node = Tree[Token]
 
@@ -53,15 +55,11 @@ def _fixed(word: str) -> Callable[[Any], s.Expr]:
 
 
 def _fixed_target(word: str) -> Callable[[Any], s.Expr]:
-    return lambda n: s.Happened(
-        span(n), None, s.Verb(span(n), word, expression(n.children[0]))
-    )
+    return lambda n: s.Happened(span(n), None, s.Verb(span(n), word, expression(n.children[0])))
 
 
 def _arithmetic(n: Any) -> s.Expr:
-    return s.Arithmetic(
-        span(n), str(n.data), expression(n.children[0]), expression(n.children[1])
-    )
+    return s.Arithmetic(span(n), str(n.data), expression(n.children[0]), expression(n.children[1]))
 
 
 def _junction(word: str) -> Callable[[Any], s.Expr]:
@@ -159,9 +157,7 @@ def _cushion_verb(at: s.Span, word: str, cushion: Any) -> s.Verb:
 
 
 def _is(negated: bool) -> Callable[[Any], s.Expr]:  # noqa: FBT001
-    return lambda n: s.Is(
-        span(n), expression(n.children[0]), negated, _test(n.children[1])
-    )
+    return lambda n: s.Is(span(n), expression(n.children[0]), negated, _test(n.children[1]))
 
 
 def _test(node: Any) -> s.Test:
@@ -217,9 +213,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "happened": _happened,
     "related": _related,
     "quantified": _quantified,
-    "except_": lambda n: s.Except(
-        span(n), expression(n.children[0]), expression(n.children[1])
-    ),
+    "except_": lambda n: s.Except(span(n), expression(n.children[0]), expression(n.children[1])),
     "on_table": lambda n: s.OnTable(span(n), expression(n.children[0])),
     "extreme_of": _extreme,
     "extreme_on_table": _extreme,
@@ -365,9 +359,7 @@ _STATEMENTS: dict[str, Callable[[Any], s.Statement]] = {
     "deduct": _award,
     "add": _add,
     "set": _set,
-    "reset": lambda n: s.Write(
-        span(n), "reset", _text(n.children[0]), _maybe(n.children[1]), None
-    ),
+    "reset": lambda n: s.Write(span(n), "reset", _text(n.children[0]), _maybe(n.children[1]), None),
     "assign": lambda n: s.Write(
         span(n), "assign", "group", expression(n.children[1]), expression(n.children[0])
     ),
@@ -411,7 +403,8 @@ def _track(n: Any) -> list[s.Declaration]:
 
 def _fact(n: Any) -> list[s.Declaration]:
     name, *rest = n.children
-    kind, values = "", ()
+    kind = ""
+    values: tuple[str, ...] = ()
     if isinstance(rest[0], Tree) and rest[0].data in ("fact_values", "fact_kind"):
         first = rest.pop(0)
         kind = "values" if first.data == "fact_values" else _text(first)

@@ -42,6 +42,8 @@ class Code:
     `truth` is the closure to use as a condition, where that is not plain non-emptiness;
     `within` the same between two event numbers, `anchor` the number of the first event that
     makes it true (None: it did not happen), `witness` the numbers of all that did.
+    `needs` has a bit for each verb of which one must have happened for it to be true (0: not
+    known), `phases` are the phases in which it can be true (None: any).
     `since` is the earliest section that may read it; `staged` that its value changes from
     section to section; `fouls` that it speaks of fouls.
     """
@@ -61,6 +63,8 @@ class Code:
     word: str = ""
     text: str = ""
     shown: Code | None = None
+    needs: int = 0
+    phases: frozenset[str] | None = None
 
 
 class Mistake(Exception):  # noqa: N818

@@ -18,7 +18,7 @@ CODES = {
     "R110": "The version of the language is not known.",
     "R201": "A name is not known.",
     "R202": "A phase is not declared.",
-    "R203": "A name of the wrong sort stands here: a zone, line, spot, pocket, cushion or pin is due.",
+    "R203": "A name of the wrong sort stands here: a zone, line, spot, pocket or cushion is due.",
     "R204": "A script named by `uses` cannot be found.",
     "R205": "A name is given twice.",
     "R206": "A tracked value is not declared.",

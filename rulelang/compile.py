@@ -6,8 +6,7 @@ hears of all of them together. Invariant: check_script never raises for a mistak
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
@@ -27,14 +26,17 @@ from rulelang.program import (
     Program,
     RuleInfo,
 )
-from rulelang.scope import Scope
 from rulelang.statements import SECTION_OF, Statements
 from rulelang.syntax import walk
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
+    from rulelang.scope import Scope
     from rulelang.vocabulary import Vocabulary
+
+    Ruled = tuple[s.Script, s.Rule, CompiledRule, list[Code]]
 
 
 def compile_script(
@@ -97,9 +99,17 @@ class _Work:
         width = min(max(1, at.end - at.start), max(1, len(snippet) - at.column + 1))
         self.diagnostics.append(
             Diagnostic(
-                trouble.code, script.file, at.line, at.column, trouble.message, trouble.mend,
-                snippet, width, "", severity,
-            )  # fmt: skip
+                trouble.code,
+                script.file,
+                at.line,
+                at.column,
+                trouble.message,
+                trouble.mend,
+                snippet,
+                width,
+                "",
+                severity,
+            )
         )
 
     def compile(self, source: str, filename: str) -> Program | None:
@@ -126,7 +136,9 @@ class _Work:
             found = self.library(node.text)
             if found is None or len(above) > 16:
                 message = f'there is no script "{node.text}" to use'
-                self.tell(script, Mistake("R204", node.at, message, "look for it in the rules folder"))
+                self.tell(
+                    script, Mistake("R204", node.at, message, "look for it in the rules folder")
+                )
             elif found[1] not in above and found[1] not in [x.file for x in self.scripts]:
                 self.read(found[0], found[1], (*above, filename))
         self.scripts.append(script)
@@ -182,9 +194,9 @@ class _Work:
         owner = scope.owners.get(trouble.owner, script)
         self.tell(owner, trouble)
 
-    def rules(self, scope: Scope) -> list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]]:
+    def rules(self, scope: Scope) -> list[Ruled]:
         """Compile every rule that can be compiled."""
-        made = []
+        made: list[Ruled] = []
         for script in self.scripts:
             for rule in script.rules:
                 number = len(made)
@@ -213,17 +225,28 @@ class _Work:
             if made.since > stage:
                 message = f"`{made.text}` is decided later than in `{section}:`"
                 raise Mistake("R402", rule.at, message, "read it in a later section")
+        guard = statements.guard if len(rule.body) == 1 else None
+        phases = frozenset(rule.phases) if rule.phases else None
+        if guard is not None and guard[0].phases is not None:
+            phases = guard[0].phases if phases is None else phases & guard[0].phases
         compiled = CompiledRule(
-            number, info, stage, _top(run, rule.phases), statements.late, (),
+            number,
+            info,
+            stage,
+            _plain(run) if guard is None else _guarded(guard[0].truth, guard[1]),
+            statements.late,
+            (),
             tuple(statements.conditions),
-        )  # fmt: skip
+            0 if guard is None else guard[0].needs,
+            phases,
+        )
         return compiled, statements.codes
 
     def program(
         self,
         declarations: Declarations,
         scope: Scope,
-        rules: list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]],
+        rules: list[Ruled],
         homes: list[tuple[k.Run, str]],
         on: k.Run | None,
     ) -> Program:
@@ -234,7 +257,10 @@ class _Work:
         fouls: dict[str, tuple[str, ...]] = {}
         for _, rule, _, _ in rules:
             for name in fouls_of(rule.body):
-                fouls[name] = (*fouls.get(name, ()), *(c for c in rule.cites if c not in fouls.get(name, ())))
+                fouls[name] = (
+                    *fouls.get(name, ()),
+                    *(c for c in rule.cites if c not in fouls.get(name, ())),
+                )
         return Program(
             title=declarations.header("game"),
             rulebook=declarations.header("cites"),
@@ -247,6 +273,7 @@ class _Work:
             settled_within=float(declarations.header("settled") or 0),
             vocabulary=self.vocabulary,
             compiled={name: tuple(found) for name, found in sections.items()},
+            by_phase=_by_phase(sections, scope.phases),
             consequences=tuple(self.consequences),
             bits=dict(scope.bits),
             names={bit: name for name, bit in scope.bits.items()},
@@ -260,23 +287,18 @@ class _Work:
         )
 
 
-def with_overrides(
-    rules: list[tuple[s.Script, s.Rule, CompiledRule, list[Code]]],
-) -> list[CompiledRule]:
+def with_overrides(rules: list[Ruled]) -> list[CompiledRule]:
     """Return the compiled rules, each with the numbers of the rules it overrides."""
     numbers: dict[str, list[int]] = {}
     for _, rule, compiled, _ in rules:
         numbers.setdefault(rule.name, []).append(compiled.number)
-    made = []
-    for _, rule, compiled, _ in rules:
-        over = tuple(n for name, _ in rule.overrides for n in numbers.get(name, []))
-        made.append(
-            CompiledRule(
-                compiled.number, compiled.info, compiled.stage, compiled.run, compiled.late, over,
-                compiled.conditions, compiled.said,
-            )  # fmt: skip
+    return [
+        replace(
+            compiled,
+            overrides=tuple(n for name, _ in rule.overrides for n in numbers.get(name, [])),
         )
-    return made
+        for _, rule, compiled, _ in rules
+    ]
 
 
 def fouls_of(body: tuple[Any, ...]) -> list[str]:
@@ -292,13 +314,32 @@ def _home_of(rule: s.Rule) -> str:
     return "fouls"
 
 
-def _top(run: Any, phases: tuple[str, ...]) -> Any:
-    wanted = frozenset(phases)
-
+def _plain(run: Any) -> Any:
     def fire(c: Any) -> list[Any] | None:
-        if wanted and c.phase not in wanted:
-            return None
         out: list[Any] = []
         return out if run(c, out) else None
 
     return fire
+
+
+def _guarded(test: Any, body: Any) -> Any:
+    def fire(c: Any) -> list[Any] | None:
+        if not test(c):
+            return None
+        out: list[Any] = []
+        return out if body(c, out) else None
+
+    return fire
+
+
+def _by_phase(
+    sections: dict[str, list[CompiledRule]], phases: tuple[str, ...]
+) -> dict[str, dict[str, tuple[CompiledRule, ...]]]:
+    """Return, for each section and phase, the rules that can fire in it."""
+    return {
+        name: {
+            phase: tuple(rule for rule in found if rule.phases is None or phase in rule.phases)
+            for phase in (phases or ("",))
+        }
+        for name, found in sections.items()
+    }

@@ -6,11 +6,12 @@ Invariant: players are numbers from 1, balls, spots and zones are names, all res
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from rulelang.facts import Tracked
 
 

@@ -141,7 +141,8 @@ class Declarations:
         return k.NUMBER, 0, False
 
     def _fact(self, script: s.Script, node: s.Fact) -> None:
-        kind, default = node.kind, None
+        kind = node.kind
+        default: Value | None = None
         match node.default:
             case s.Flag(value=flag):
                 kind, default = kind or "flag", flag
@@ -168,7 +169,9 @@ class Declarations:
 
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
-        for name in re.findall(r"^(?:define|track|fact) +([a-z][a-z0-9-]*)", script.source, re.M):
+        for name in re.findall(
+            r"^(?:define|track|fact) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
+        ):
             self.scope.poisoned.add(name)
 
 

@@ -34,7 +34,7 @@ from rulelang.settle import (
 from rulelang.watch import Watch
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from rulelang.facts import Call, Situation, Tracked
 
@@ -53,7 +53,7 @@ def start(program: Program, situation: Situation) -> Decisions:
     first = program.phases[0] if program.phases else ""
     c.phase = c.next_phase = first
     c.stage = CONSEQUENCE
-    fired = _fire(program.compiled.get("game start", ()), c, [])
+    fired = _fire(program.compiled.get("game start", ()), c)
     c.state = write_state(program, fired, c.state)
     turn = decide_turn(fired, c)
     return Decisions(
@@ -74,19 +74,15 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
     c.call = call
     c.cue = program.bits[_cue_ball(program, situation.shooter)]
     c.objects = program.ball_mask & ~c.cue
-    fired = _fire(program.compiled["before shot"], c, [])
-    required = tuple(
-        Required(d[1], d[2]) for _, made in fired for d in made if d[0] == "require"
-    )
+    fired = _fire(program.compiled["before shot"], c)
+    required = tuple(Required(d[1], d[2]) for _, made in fired for d in made if d[0] == "require")
     on = frozenset[str]()
     if program.on is not None:
         on = frozenset(program.names[bit] for bit in singles(program.on(c)))
     return Admission(required, offers_of(fired), on)
 
 
-def judge(
-    program: Program, situation: Situation, shot: Shot, *, explain: bool = True
-) -> Decisions:
+def judge(program: Program, situation: Situation, shot: Shot, *, explain: bool = True) -> Decisions:
     """Return everything the rules decide about a shot.
 
     Raises RuleClash where two rules decide one thing differently and neither overrides.
@@ -99,7 +95,7 @@ def _judge(
 ) -> tuple[Watch, Decisions]:
     c = _watch(program, situation)
     c.show(shot, program.settled_within)
-    log: list[tuple[CompiledRule, str, Any]] | None = [] if explain else None
+    log: list[Any] | None = [] if explain else None
     views: list[tuple[Any, ...]] = []
     _judge_fouls(program, c, log)
     views.append(_view(c))
@@ -268,15 +264,15 @@ def start_of(program: Program, name: str, situation: Situation) -> Tracked:
 
 def _judge_fouls(program: Program, c: Watch, log: Any) -> None:
     c.stage = FOULS
-    rules = program.compiled["fouls"]
-    early = _fire([r for r in rules if not r.late], c, None, apply=False)
+    rules = program.by_phase["fouls"].get(c.phase) or program.compiled["fouls"]
+    early = _fire([r for r in rules if not r.late], c)
     c.fouls = _fouls(early)
     c.legal = not c.fouls
     clear(c.memo, program.staged)
-    late = _fire([r for r in rules if r.late], c, None, apply=False)
+    late = _fire([r for r in rules if r.late], c)
     fired, beaten = _override(early + late)
     if log is not None:
-        _log(log, rules, fired, beaten)
+        log.append((program.compiled["fouls"], fired, beaten))
     c.fouls = _fouls(fired)
     c.legal = not c.fouls
     clear(c.memo, program.staged)
@@ -298,24 +294,26 @@ def _fouls(fired: Fired) -> tuple[Foul, ...]:
 
 def _section(program: Program, c: Watch, stage: int, log: Any) -> Fired:
     c.stage = stage
-    rules = program.compiled[SECTIONS[stage]]
-    return _fire(rules, c, log)
+    name = SECTIONS[stage]
+    rules = program.by_phase[name].get(c.phase) or program.compiled[name]
+    fired = _fire(rules, c)
+    beaten: dict[int, CompiledRule] = {}
+    if fired:
+        fired, beaten = _override(fired)
+    if log is not None:
+        log.append((program.compiled[name], fired, beaten))
+    return fired
 
 
-def _fire(rules: Any, c: Watch, log: Any, *, apply: bool = True) -> Fired:
+def _fire(rules: Iterable[CompiledRule], c: Watch) -> Fired:
     fired: Fired = []
+    happened = c.happened
     for rule in rules:
+        if rule.needs and not rule.needs & happened:
+            continue
         made = rule.run(c)
         if made is not None:
             fired.append((rule, made))
-    if not apply:
-        return fired
-    beaten: dict[int, CompiledRule] = {}
-    if fired:
-        everything = fired
-        fired, beaten = _override(everything)
-    if log is not None:
-        _log(log, rules, fired, beaten)
     return fired
 
 
@@ -335,17 +333,6 @@ def _override(fired: Fired) -> tuple[Fired, dict[int, CompiledRule]]:
         settled = now.keys() == beaten.keys()
         beaten = now
     return [(rule, made) for rule, made in fired if rule.number not in beaten], beaten
-
-
-def _log(log: Any, rules: Any, fired: Fired, beaten: dict[int, CompiledRule]) -> None:
-    made = {rule.number: decided for rule, decided in fired}
-    for rule in rules:
-        if rule.number in made:
-            log.append((rule, "fired", made[rule.number]))
-        elif rule.number in beaten:
-            log.append((rule, "overridden", beaten[rule.number]))
-        else:
-            log.append((rule, "silent", None))
 
 
 def _view(c: Watch) -> tuple[Any, ...]:
@@ -376,9 +363,7 @@ def _still_in(c: Watch, turn: Turn, eliminated: frozenset[int]) -> int:
 
 
 def _homes(program: Program, c: Watch) -> Mapping[str, str]:
-    return {
-        program.names[bit]: spot for balls, spot in program.homes for bit in singles(balls(c))
-    }
+    return {program.names[bit]: spot for balls, spot in program.homes for bit in singles(balls(c))}
 
 
 def _endings(fired: Fired, situation: Situation) -> tuple[tuple[Ending, ...], frozenset[int]]:
@@ -407,4 +392,3 @@ def _reset(
                 continue
             changed[name] = (track.start,) * len(value) if isinstance(value, tuple) else track.start
     return {**state, **changed} if changed else state
-

@@ -67,10 +67,14 @@ FLAGS = {
 
 @dataclass(frozen=True, slots=True)
 class Telling:
-    """A verb with its target: `select` the balls that did it, `find` the events."""
+    """A verb with its target: `select` the balls that did it, `find` the events.
+
+    `verb` must have happened for any ball to be selected; -1 where that does not follow.
+    """
 
     select: Select
     find: Find
+    verb: int = -1
 
 
 def bare(verb: int) -> Telling:
@@ -89,7 +93,7 @@ def bare(verb: int) -> Telling:
     def find(c: Watch, who: int, lo: int, hi: int) -> list[int]:
         return [n for n, a, _ in c.ev[verb] if a & who and lo < n < hi]
 
-    return Telling(select, find)
+    return Telling(select, find, verb)
 
 
 def matching(verb: int, match: Match) -> Telling:
@@ -109,7 +113,7 @@ def matching(verb: int, match: Match) -> Telling:
         fits = match(c)
         return [n for n, a, b in c.ev[verb] if a & who and lo < n < hi and fits(b)]
 
-    return Telling(select, find)
+    return Telling(select, find, verb)
 
 
 def on_balls(verb: int, balls: Callable[[Watch], int]) -> Telling:
@@ -129,7 +133,7 @@ def on_balls(verb: int, balls: Callable[[Watch], int]) -> Telling:
         target = balls(c)
         return [n for n, a, b in c.ev[verb] if a & who and b & target and lo < n < hi]
 
-    return Telling(select, find)
+    return Telling(select, find, verb)
 
 
 def counted(verb: int, how: str, count: int, balls: Callable[[Watch], int] | None) -> Telling:
@@ -156,13 +160,12 @@ def counted(verb: int, how: str, count: int, balls: Callable[[Watch], int] | Non
     def find(c: Watch, who: int, lo: int, hi: int) -> list[int]:
         target = END if balls is None else balls(c)
         found = [
-            n
-            for n, a, b in c.ev[verb]
-            if a & who and lo < n < hi and (balls is None or b & target)
+            n for n, a, b in c.ev[verb] if a & who and lo < n < hi and (balls is None or b & target)
         ]
         return found[count - 1 :] if how == "at least" and count else found
 
-    return Telling(select, find)
+    happens = how == "more than" or (how in ("at least", "exactly") and count > 0)
+    return Telling(select, find, verb if happens else -1)
 
 
 def fits(how: str, number: int, count: int, whole: int | None) -> bool:

@@ -40,7 +40,7 @@ class Explanation(Sequence[RuleOutcome]):
         return self.outcomes()[index]
 
     def __len__(self) -> int:
-        return len(self._log)
+        return sum(len(rules) for rules, _, _ in self._log)
 
     def __iter__(self) -> Iterator[RuleOutcome]:
         return iter(self.outcomes())
@@ -57,13 +57,18 @@ class Explanation(Sequence[RuleOutcome]):
     def outcomes(self) -> tuple[RuleOutcome, ...]:
         """Return every outcome, in the order of sections and script."""
         if self._outcomes is None:
-            self._outcomes = tuple(self._tell(*entry) for entry in self._log)
+            self._outcomes = tuple(
+                self._tell(rule, *_fared(rule, fired, beaten))
+                for rules, fired, beaten in self._log
+                for rule in rules
+            )
         return self._outcomes
 
     def _tell(self, rule: CompiledRule, outcome: str, detail: Any) -> RuleOutcome:
         c = self._watch
         self._look(rule.stage, late=rule.late)
-        because, events = "", ()
+        because = ""
+        events: tuple[int, ...] = ()
         if outcome == "overridden":
             because = f'overridden by "{detail.info.name}"'
         elif outcome == "fired":
@@ -73,7 +78,15 @@ class Explanation(Sequence[RuleOutcome]):
         said = tuple(_said(c, one) for one in detail) if outcome == "fired" else ()
         info = rule.info
         return RuleOutcome(
-            info.name, info.section, info.cites, outcome, because, events, said, info.line, info.file
+            info.name,
+            info.section,
+            info.cites,
+            outcome,
+            because,
+            events,
+            said,
+            info.line,
+            info.file,
         )
 
     def _look(self, stage: int, *, late: bool) -> None:
@@ -88,6 +101,16 @@ class Explanation(Sequence[RuleOutcome]):
         if stage == 1 and not late:
             c.fouls, c.legal = (), True
         clear(c.memo, self._program.staged)
+
+
+def _fared(rule: CompiledRule, fired: Any, beaten: Any) -> tuple[str, Any]:
+    """Return how a rule fared, and its decisions or the rule that overrode it."""
+    for other, made in fired:
+        if other.number == rule.number:
+            return "fired", made
+    if rule.number in beaten:
+        return "overridden", beaten[rule.number]
+    return "silent", None
 
 
 def _fired(rule: CompiledRule, c: Watch) -> tuple[str, tuple[int, ...]]:
@@ -169,4 +192,4 @@ def _said(c: Watch, decision: tuple[Any, ...]) -> str:
         case "seat":
             return f"player {rest[0]} is {'out' if rest[1] else 'back in'}"
         case _:
-            return tag
+            return str(tag)

@@ -8,7 +8,6 @@ time but tracked values, facts and settings.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
@@ -21,6 +20,8 @@ from rulelang.scope import nearest
 from rulelang.watch import BEGIN, END, at_cushion, lie_in, touching
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from rulelang.scope import Scope
     from rulelang.watch import Watch
 
@@ -193,7 +194,10 @@ class Expressions:
             finally:
                 scope.busy.pop()
         made = scope.compiled[key]
-        return derive(made, made.kind, made.run, truth=made.truth, domain=made.domain)
+        return derive(
+            made, made.kind, made.run, truth=made.truth, domain=made.domain, needs=made.needs,
+            phases=made.phases,
+        )  # fmt: skip
 
     def cases(self, node: s.Define) -> Code:
         """Compile a define to a remembered value."""
@@ -203,16 +207,25 @@ class Expressions:
         if kind is None:
             found = " and ".join(sorted({k.SPOKEN[v.kind] for v in values}))
             raise Mistake("R301", node.at, f'the cases of "{node.name}" are {found}', "one kind")
-        values = [self.want(v, kind) if c.kind != kind else c for (_, v), c in zip(codes, values, strict=True)]
+        values = [
+            self.want(v, kind) if c.kind != kind else c
+            for (_, v), c in zip(codes, values, strict=True)
+        ]
         parts = [c for c, _ in codes if c is not None] + values
         default: Any = {k.BALLS: 0, k.NUMBER: 0, k.FLAG: False, k.NAME: "none"}.get(kind)
-        pairs = [(None if c is None else c.truth, v.run) for (c, _), v in zip(codes, values, strict=True)]
+        pairs = [
+            (None if c is None else c.truth, v.run) for (c, _), v in zip(codes, values, strict=True)
+        ]
         staged = any(p.staged for p in parts)
         slot = self.scope.memo_size
         self.scope.memo_size += 1
         if staged:
             self.scope.staged.append(slot)
         made = derive(values[0], kind, remembered(slot, chain(pairs, default)))
+        if len(codes) == 1 and codes[0][0] is None:
+            made.needs, made.phases = values[0].needs, values[0].phases
+        else:
+            made.word = ""
         made.parts = tuple(parts)
         made.constant = None
         made.staged = staged
@@ -232,7 +245,9 @@ class Expressions:
         if made.truth is not None and not (isinstance(node, s.Happened) and made.kind == k.BALLS):
             if made.kind == k.BALLS and not isinstance(node, s.Quantified):
                 return made
-            return derive(made, k.FLAG, made.truth, truth=made.truth)
+            return derive(
+                made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases
+            )
         return made
 
     def _tracked(self, name: str, who: s.Expr | None, at: s.Span) -> Code:
@@ -251,7 +266,7 @@ class Expressions:
         player = self.want(who, k.PLAYER)
         run = player.run
         return joined(
-            Code(kind, lambda c: c.state[name][run(c) - 1], domain=name, staged=True), player
+            Code(kind, lambda c: _row(c.state[name])[run(c) - 1], domain=name, staged=True), player
         )
 
     def _fact(self, name: str, at: s.Span) -> Code:
@@ -318,7 +333,7 @@ class Expressions:
         if words == "cue":
             return self.value(s.Name(node.at, "cue"))
         if words == "phase":
-            return Code(k.NAME, lambda c: c.phase, domain="phase")
+            return Code(k.NAME, lambda c: c.phase, domain="phase", word="phase")
         if words == "next phase":
             since = STAGE["table"]
             return Code(k.NAME, lambda c: c.next_phase, domain="phase", since=since, staged=True)
@@ -454,6 +469,7 @@ class Expressions:
         made.truth = made.run
         made.word = node.word
         made.parts = tuple(parts)
+        _foresee(made, parts)
         return joined(made, *parts)
 
     def negation(self, node: s.Not) -> Code:
@@ -478,6 +494,8 @@ class Expressions:
         if node.negated and not isinstance(subject, s.Quantified):
             run = made.run
             made.run = lambda c: not run(c)
+            if made.phases is not None:
+                made.phases = frozenset(self.scope.phases) - made.phases
         made.truth = made.run
         return made
 
@@ -608,7 +626,8 @@ class Expressions:
         a = left.run
         if None not in constants:
             table = frozenset(constants)
-            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left), left)
+            phases = table if left.word == "phase" else None
+            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left, phases=phases), left)
         runs = [code.run for code in codes]
         return joined(
             Code(k.FLAG, lambda c: a(c) in [run(c) for run in runs], shown=left), left, *codes
@@ -619,7 +638,8 @@ class Expressions:
         right = self._right(test.value, left)
         a, b, constant = left.run, right.run, right.constant
         if constant is not None:
-            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left), left)
+            phases = frozenset([constant]) if left.word == "phase" else None
+            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, phases=phases), left)
         return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left), left, right)
 
     def _right(self, node: s.Expr, left: Code) -> Code:
@@ -756,6 +776,24 @@ def _common(values: list[Code]) -> str | None:
     return k.BALLS if kinds == {k.BALLS, k.NAME} else None
 
 
+def _foresee(made: Code, parts: list[Code]) -> None:
+    """Give a junction what must have happened, and in which phases it can hold."""
+    phases = [part.phases for part in parts if part.phases is not None]
+    if made.word == "and":
+        made.needs = next((part.needs for part in parts if part.needs), 0)
+        made.phases = frozenset.intersection(*phases) if phases else None
+        return
+    if all(part.needs for part in parts):
+        for part in parts:
+            made.needs |= part.needs
+    if len(phases) == len(parts):
+        made.phases = frozenset.union(*phases)
+
+
+def _row(value: Any) -> Any:
+    return value
+
+
 def _constant(name: str) -> Code:
     return Code(k.NAME, lambda _c: name, constant=name)
 
@@ -766,7 +804,7 @@ def _setting(name: str, value: Any) -> Code:
 
 
 def _ordinal(words: str) -> k.Run:
-    which = ORDINALS[words.split()[0]]
+    which = ORDINALS[words.partition(" ")[0]]
     if words.endswith("pocketed"):
         return lambda c: _nth([b for _, b, _ in c.ev[6]], which)
     if words.endswith("hit"):
@@ -803,7 +841,9 @@ def _cue_ball_of(x: Expressions, node: s.CueBallOf) -> Code:
 def _name_of(x: Expressions, node: s.NameOf) -> Code:
     if node.name in x.scope.tracks:
         return x._tracked(node.name, node.who, node.at)  # noqa: SLF001
-    mend = nearest(node.name, x.scope.tracks) or f"declare it: track {node.name} per game per player"
+    mend = (
+        nearest(node.name, x.scope.tracks) or f"declare it: track {node.name} per game per player"
+    )
     raise Mistake("R206", node.at, f'"{node.name}" is not tracked', mend)
 
 

@@ -87,13 +87,15 @@ class Happenings:
 
         made = Code(k.BALLS, lambda c: chosen(c, BEGIN, END))
         made.within, made.anchor, made.witness = within, anchor, witness
+        if telling.verb >= 0 and (how in ("any", "only") or (how == "at least" and number > 0)):
+            made.needs = 1 << telling.verb
         if how == "any":
             made.truth = lambda c: select(c, subject(c), BEGIN, END) != 0
         else:
             made.truth = lambda c: within(c, BEGIN, END)
         if negated:
             positive, inside = made.truth, within
-            made.kind = k.FLAG
+            made.kind, made.needs = k.FLAG, 0
             made.truth = lambda c: not positive(c)
             made.run = made.truth
             made.within = lambda c, lo, hi: not inside(c, lo, hi)
@@ -195,7 +197,7 @@ class Happenings:
         """Compile `A before B`, `A after B`, `A then B [then C]`."""
         parts = [self.x.truth(part) for part in node.parts]
         for part, written in zip(parts, node.parts, strict=True):
-            if part.within is None:
+            if part.within is None or (part.anchor is None and written is not node.parts[0]):
                 raise Mistake(
                     "R301", written.at, f"`{part.text}` is no event", "put an event on each side"
                 )
@@ -217,7 +219,7 @@ class Happenings:
                 return (END, END)
             return (BEGIN, moment) if word == "before" else (moment, END)
 
-        made = Code(k.FLAG, lambda c: within(c, *window(c)))
+        made = Code(k.FLAG, lambda c: within(c, *window(c)), needs=first.needs)
         if witness is not None:
             made.witness = lambda c, _lo, _hi: witness(c, *window(c))
         return made

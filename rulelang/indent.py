@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
-class BadDedent(Exception):
+class BadDedent(Exception):  # noqa: N818 - it names the mistake, as the codes do
     """A line goes back to a depth that no line above it has."""
 
     def __init__(self, line: int, column: int) -> None:

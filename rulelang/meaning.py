@@ -78,9 +78,7 @@ def _circles(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
 def _clashes(rules: list[Ruled], tell: Tell) -> None:
     """Tell of two rules that decide one thing differently under the same written condition."""
     seen: dict[tuple[Any, ...], tuple[s.Rule, str]] = {}
-    overriding = {
-        (rule.name, name) for _, rule, _, _ in rules for name, _ in rule.overrides
-    }
+    overriding = {(rule.name, name) for _, rule, _, _ in rules for name, _ in rule.overrides}
     for script, rule, compiled, _ in rules:
         for condition, action in _decided(rule):
             key = (compiled.info.section, rule.phases, _plain(condition), type(action))
@@ -97,14 +95,12 @@ def _clashes(rules: list[Ruled], tell: Tell) -> None:
 
 def _decided(rule: s.Rule) -> list[tuple[Any, Any]]:
     """Return (condition, action) of decisions with one value at the top of a rule."""
-    found = []
+    found: list[tuple[Any, Any]] = []
     for node in rule.body:
-        pairs = [(None, node)]
+        pairs: list[tuple[Any, Any]] = [(None, node)]
         if isinstance(node, s.If):
             pairs = [(node.branches[0][0], inner) for inner in node.branches[0][1]]
-        found.extend(
-            (c, a) for c, a in pairs if isinstance(a, s.Turn | s.GoToPhase | s.GiveInHand)
-        )
+        found.extend((c, a) for c, a in pairs if isinstance(a, s.Turn | s.GoToPhase | s.GiveInHand))
     return found
 
 

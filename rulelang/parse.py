@@ -10,16 +10,18 @@ from __future__ import annotations
 import re
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lark import Lark
 from lark.exceptions import UnexpectedInput
 
 from rulelang import build
-from rulelang.diagnostics import Diagnostic
 from rulelang.indent import BadDedent, Indentation
 from rulelang.surface import explain, scan
 from rulelang.syntax import Script
+
+if TYPE_CHECKING:
+    from rulelang.diagnostics import Diagnostic
 
 _GRAMMAR = Path(__file__).with_name("grammar.lark")
 
@@ -101,7 +103,8 @@ def _pieces(source: str) -> list[str]:
 
 
 _SECTION = re.compile(
-    r"(before shot|fouls|points|turn|table|next shot|ending|at \w+ \w+)( in phase [^:]*)?:\s*(#.*)?$"
+    r"(before shot|fouls|points|turn|table|next shot|ending|at \w+ \w+)"
+    r"( in phase [^:]*)?:\s*(#.*)?$"
 )
 
 
@@ -115,9 +118,7 @@ def _rules(lines: list[str], start: int, end: int) -> list[str]:
     heads = heads or body[:1]
     heads[0] = body[0]
     ends = [*heads[1:], end]
-    return [
-        _keep(lines, [(start, start + 1), (a, b)]) for a, b in zip(heads, ends, strict=True)
-    ]
+    return [_keep(lines, [(start, start + 1), (a, b)]) for a, b in zip(heads, ends, strict=True)]
 
 
 def _keep(lines: list[str], ranges: list[tuple[int, int]]) -> str:

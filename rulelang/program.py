@@ -71,7 +71,9 @@ class CompiledRule:
     """A rule's closure and what it overrides, by numbers of rules.
 
     `run` returns the decisions of a rule that fired, None for a silent one. `late`: a rule of
-    the fouls that speaks of fouls. `conditions` are those of its outermost `if`.
+    the fouls that speaks of fouls. `conditions` are those of its outermost `if`. `needs` has a
+    bit for each verb of which one must have happened for it to fire (0: any shot may do),
+    `phases` are the phases in which it can fire (None: all).
     """
 
     number: int
@@ -81,7 +83,8 @@ class CompiledRule:
     late: bool
     overrides: tuple[int, ...]
     conditions: tuple[Code, ...]
-    said: tuple[str, ...] = ()
+    needs: int = 0
+    phases: frozenset[str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +114,9 @@ class Program:
     settled_within: float
     vocabulary: Vocabulary
     compiled: Mapping[str, tuple[CompiledRule, ...]] = field(repr=False, default_factory=dict)
+    by_phase: Mapping[str, Mapping[str, tuple[CompiledRule, ...]]] = field(
+        repr=False, default_factory=dict
+    )
     consequences: tuple[Consequence, ...] = field(repr=False, default=())
     bits: Mapping[str, int] = field(repr=False, default_factory=dict)
     names: Mapping[int, str] = field(repr=False, default_factory=dict)

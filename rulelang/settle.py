@@ -71,7 +71,7 @@ def _single(fired: Fired, tag: str, what: str) -> tuple[Any, ...] | None:
 def decide_turn(fired: Fired, _c: Watch) -> Turn:
     """Return the turn; by default it passes."""
     found = _single(fired, "turn", "turn") if fired else None
-    return Turn(False, None) if found is None else Turn(found[1], found[2])
+    return Turn(continues=False, player=None) if found is None else Turn(found[1], found[2])
 
 
 def decide_phase(fired: Fired) -> str | None:
@@ -89,6 +89,8 @@ def decide_in_hand(fired: Fired) -> InHand | None:
 def sum_points(fired: Fired, players: int) -> tuple[int, ...]:
     """Return the change of each player's score."""
     points = [0] * players
+    if not fired:
+        return tuple(points)
     for _, decision in _each(fired, "points"):
         points[decision[1] - 1] += decision[2]
     return tuple(points)
@@ -108,6 +110,8 @@ def write_state(
     program: Program, fired: Fired, state: Mapping[str, Tracked]
 ) -> Mapping[str, Tracked]:
     """Return the tracked values after the writes of a section."""
+    if not fired:
+        return state
     adds: dict[tuple[str, int | None], tuple[int, CompiledRule]] = {}
     sets: dict[tuple[str, int | None], tuple[Any, CompiledRule]] = {}
     for rule, (_, op, name, player, value) in _each(fired, "write"):
@@ -163,9 +167,11 @@ def table_actions(program: Program, fired: Fired, c: Watch) -> tuple[TableAction
         return (Restore(),)
     names = program.names
     actions: list[TableAction] = [Remove(names[bit]) for bit in singles(removed)]
-    for bit in _in_order(program, spots, c):
-        if not rerack or bit & kept:
-            actions.append(Spot(names[bit], _places(program, names[bit], spots[bit][0], c)))
+    actions.extend(
+        Spot(names[bit], _places(program, names[bit], spots[bit][0], c))
+        for bit in _in_order(program, spots, c)
+        if not rerack or bit & kept
+    )
     if rerack:
         actions.append(Rerack(tuple(names[bit] for bit in singles(kept))))
     return tuple(actions)

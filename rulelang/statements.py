@@ -66,6 +66,7 @@ class Statements:
         self.said: list[str] = []
         self.depth = 0
         self.free = False
+        self.guard: tuple[Code, Run] | None = None
 
     def body(self, nodes: tuple[s.Statement, ...]) -> Run:
         """Compile statements that follow each other."""
@@ -122,16 +123,19 @@ class Statements:
 
     def _if(self, node: s.If) -> Run:
         pairs: list[tuple[Any, Run]] = []
+        outermost = self.depth <= 1 and not self.free
         for condition, body in node.branches:
-            test = self.x.truth(condition)
-            self.codes.append(test)
-            if self.depth <= 1 and not self.free:
-                self.conditions.append(test)
-            self.late = self.late or test.fouls
-            pairs.append((test.truth, self.body(body)))
+            made = self.x.truth(condition)
+            self.codes.append(made)
+            if outermost:
+                self.conditions.append(made)
+            self.late = self.late or made.fouls
+            pairs.append((made.truth, self.body(body)))
         otherwise = self.body(node.otherwise) if node.otherwise else None
         if len(pairs) == 1 and otherwise is None:
             test, then = pairs[0]
+            if outermost:
+                self.guard = (made, then)
             return lambda c, out: then(c, out) if test(c) else False
 
         def run(c: Watch, out: list[Decision]) -> bool:
@@ -192,9 +196,7 @@ class Statements:
         return run
 
     def _consequence(self, choice: s.Choice, to: s.Expr) -> int:
-        inner = Statements(
-            self.scope, self.x.source, "consequence", self.rule, self.consequences
-        )
+        inner = Statements(self.scope, self.x.source, "consequence", self.rule, self.consequences)
         inner.free = True
         run = inner.body(choice.body)
         words = to.words if isinstance(to, s.Player) else "chooser"
@@ -309,7 +311,10 @@ def _give(x: Statements, node: s.GiveInHand) -> Act:
         x.scope.place("zone", zone, node.at)
     elif x.scope.vocabulary.zones:
         raise Mistake(
-            "R203", node.at, "the ball is in hand in no zone", f"say `in {x.scope.vocabulary.zones[0]}`"
+            "R203",
+            node.at,
+            "the ball is in hand in no zone",
+            f"say `in {x.scope.vocabulary.zones[0]}`",
         )
     return lambda c: ("hand", who(c), zone)
 

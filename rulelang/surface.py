@@ -59,7 +59,9 @@ def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnosti
         return one("R109", 1, "this is nested too deep", "use a define for the inner part")
     long_number = re.search(r"\d{10,}", code)
     if long_number:
-        return one("R109", long_number.start() + 1, "this number is too long", "nine digits at most")
+        return one(
+            "R109", long_number.start() + 1, "this number is too long", "nine digits at most"
+        )
     return []
 
 
@@ -67,7 +69,15 @@ def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:
     """Return the mistake that stopped the parser, with its mend."""
     if isinstance(trouble, BadDedent):
         message = "this line goes back to a depth that no line above it has"
-        return _at("R104", file, trouble.line, trouble.column, message, "align it with the line it belongs to", source)
+        return _at(
+            "R104",
+            file,
+            trouble.line,
+            trouble.column,
+            message,
+            "align it with the line it belongs to",
+            source,
+        )
     if isinstance(trouble, UnexpectedCharacters):
         line, column = trouble.line, trouble.column
         sign = source.split("\n")[line - 1][column - 1 : column]
@@ -126,7 +136,9 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
     previous = _close(last, None, parser) if token.type == "NAME" or last else ""
     if not mend and last and previous and last not in _words(parser):
         column = row[: column - 1].rstrip().rfind(last) + 1
-        return _at("R101", file, line, column, f"`{last}` does not fit here", previous, source, len(last))
+        return _at(
+            "R101", file, line, column, f"`{last}` does not fit here", previous, source, len(last)
+        )
     told = f"; expected {_listed(expected)}" if expected else ""
     return made("R101", f"`{text}` does not fit here{told}", mend)
 
@@ -139,13 +151,27 @@ def _line_end(
     row = lines[line - 1].split("#")[0].rstrip()
     column = len(row) + 1
     if row.endswith(":"):
-        return _at("R104", file, line, column, "a body is missing after the colon", "indent what belongs to it below", source)
+        return _at(
+            "R104",
+            file,
+            line,
+            column,
+            "a body is missing after the colon",
+            "indent what belongs to it below",
+            source,
+        )
     if "`:`" in expected or (row.lstrip().startswith(_OPENERS) and ":" not in row):
-        return _at("R102", file, line, column, "the colon is missing", "end the line with `:`", source)
+        return _at(
+            "R102", file, line, column, "the colon is missing", "end the line with `:`", source
+        )
     if row.count("(") > row.count(")"):
-        return _at("R108", file, line, column, "the bracket is not closed", "close it with `)`", source)
+        return _at(
+            "R108", file, line, column, "the bracket is not closed", "close it with `)`", source
+        )
     told = f"; expected {_listed(expected)}" if expected else ""
-    return _at("R101", file, line, column, f"the line ends too early{told}", "finish the line", source)
+    return _at(
+        "R101", file, line, column, f"the line ends too early{told}", "finish the line", source
+    )
 
 
 def _indent(token: Any, lines: list[str], file: str, source: str) -> Diagnostic:
@@ -193,7 +219,14 @@ def _close(text: str, names: Any, parser: Lark) -> str:
 
 
 def _at(
-    code: str, file: str, line: int, column: int, message: str, mend: str, source: str, width: int = 1
+    code: str,
+    file: str,
+    line: int,
+    column: int,
+    message: str,
+    mend: str,
+    source: str,
+    width: int = 1,
 ) -> Diagnostic:
     lines = source.split("\n")
     snippet = lines[line - 1] if 0 < line <= len(lines) else ""

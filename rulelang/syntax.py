@@ -1,3 +1,4 @@
+# ruff: noqa: D101 - a class here is its construct, and the grammar tells what it is
 """The tree of a script: what was written, before anybody asks whether it makes sense.
 
 One idea: one class per construct, each with the place it was written at; kinds and names are

@@ -32,9 +32,9 @@ class Watch:
 
     __slots__ = (
         "actions", "all_events", "balls", "bits", "call", "chooser", "continues", "cue",
-        "cue_hits", "ev", "fouls", "frozen_pairs", "homes", "it", "legal", "memo", "names",
+        "cue_hits", "ev", "fouls", "happened", "homes", "it", "legal", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
-        "players", "pressed_from", "scores", "seen", "shooter", "shot", "situation", "stage",
+        "players", "scores", "seen", "shooter", "shot", "situation", "stage",
         "state", "stroke", "values",
     )  # fmt: skip
 
@@ -50,7 +50,7 @@ class Watch:
         self.phase = situation.phase
         self.state: Mapping[str, Tracked] = situation.state
         self.scores: tuple[int, ...] = situation.scores
-        self.values: Mapping[str, int] = {}
+        self.values: Mapping[int, int] = {}
         self.stage = 0
         self.fouls: tuple[Any, ...] = ()
         self.legal = True
@@ -76,8 +76,7 @@ class Watch:
         self.seen = [0] * 28
         self.cue_hits: list[tuple[int, int]] = []
         self.stroke = True
-        self.frozen_pairs: dict[int, list[Any]] = {}
-        self.pressed_from: set[tuple[str, str]] = set()
+        self.happened = 0
         self.all_events: tuple[e.Event, ...] = ()
 
     def show(self, shot: Shot, delay: float) -> None:
@@ -91,13 +90,15 @@ class Watch:
         index = _Index(self, delay)
         for number, event in enumerate(shot.events):
             _HANDLERS[type(event)](index, number, event)
-        seen = self.seen
+        seen, happened = self.seen, 0
         for verb, rows in enumerate(self.ev):
             if rows:
+                happened |= 1 << verb
                 mask = 0
                 for row in rows:
                     mask |= row[1]
                 seen[verb] = mask
+        self.happened = happened
         self.on_after = self.on_before & ~(seen[POCKETED] | seen[LEFT_TABLE])
         self.stroke = not seen[OMITTED]
 

@@ -6,15 +6,17 @@ import re
 import tomllib
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from engine.game.phrases import parse_event
 from rulelang import evaluate
 from rulelang.compile import compile_script
 from rulelang.decisions import Decisions, Restore, Spot
 from rulelang.facts import Call, Rest, Shot, Situation
-from rulelang.program import Program
 from rulelang.vocabulary import BallName, Vocabulary
+
+if TYPE_CHECKING:
+    from rulelang.program import Program
 
 ROOT = Path(__file__).parents[2]
 VARIANTS = ROOT / "variants"

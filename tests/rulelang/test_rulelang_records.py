@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from rule_cases import ROOT, TABLES, differences
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 RECORDS = [
     pytest.param(variant, path, id=path.stem)

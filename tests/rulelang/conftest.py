@@ -1,0 +1,6 @@
+"""Lets the tests here import their tables and records by name."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
