@@ -280,6 +280,7 @@ class _Work:
             values=dict(scope.values),
             ball_mask=scope.balls,
             memo_size=scope.memo_size,
+            asks=frozenset(scope.asks),
             staged=tuple(scope.staged),
             homes=tuple(homes),
             spotting=declarations.header("spotting"),

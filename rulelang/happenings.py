@@ -18,6 +18,7 @@ from rulelang.watch import BEGIN, END
 if TYPE_CHECKING:
     from rulelang.events_told import Telling
     from rulelang.expressions import Expressions
+    from rulelang.vocabulary import Vocabulary
     from rulelang.watch import Watch
 
 
@@ -122,6 +123,7 @@ class Happenings:
 
     def _at_place(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
         number, sort = t.PLACE_VERBS[verb.word]
+        self.x.scope.asks.update(_asked(self.x.scope.vocabulary, sort, verb.place))
         if isinstance(verb.target, s.Quantified):
             how, count = verb.target.how, verb.target.count
             if how == "any":
@@ -257,3 +259,9 @@ def _one() -> Code:
 
 def _flag(truth: k.Run) -> Code:
     return Code(k.FLAG, truth, truth=truth)
+
+
+def _asked(words: Vocabulary, sort: str, place: str | None) -> tuple[str, ...]:
+    """Return the lines or zones that an event phrase asks about; without a name, all of them."""
+    known = {"line": words.lines, "zone": words.zones}.get(sort, ())
+    return known if place is None else tuple(name for name in known if name == place)

@@ -123,6 +123,8 @@ class Program:
     values: Mapping[int, int] = field(repr=False, default_factory=dict)
     ball_mask: int = 0
     memo_size: int = 0
+    asks: frozenset[str] = frozenset()
+    """The lines and zones whose crossing, entering or leaving some rule asks about."""
     staged: tuple[int, ...] = ()
     homes: tuple[tuple[Run, str], ...] = field(repr=False, default=())
     spotting: str = ""

@@ -48,6 +48,7 @@ class Scope:
     owners: dict[str, s.Script] = field(default_factory=dict)
     memo_size: int = 0
     staged: list[int] = field(default_factory=list)
+    asks: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         for number, ball in enumerate(self.vocabulary.balls):
