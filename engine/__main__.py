@@ -94,7 +94,7 @@ def check(variants: Sequence[str], *, as_json: bool) -> None:
     Without a name, all games at hand are checked. Exit status 0: no mistake, 1: mistakes,
     2: a variant cannot be found.
     """
-    from engine.variant.library import VariantError  # noqa: PLC0415
+    from engine.variant.library import VariantError, resolve  # noqa: PLC0415
     from engine.variant.load import check_variant, list_variants  # noqa: PLC0415
 
     names = list(variants) or [one.name for one in list_variants()]
@@ -102,7 +102,7 @@ def check(variants: Sequence[str], *, as_json: bool) -> None:
     status = 0
     for name in names:
         try:
-            found += check_variant(name)
+            found += check_variant(resolve(name))
         except VariantError as error:
             found += error.diagnostics
             status = 2
@@ -213,11 +213,11 @@ def simulate(variant: str, place: tuple[float, float] | None, **options: object)
 @click.option("-o", "--output", type=click.Path(path_type=Path), required=True, metavar="FILE.png")
 def render(variant: str, renderer: str, camera: str, size: str, seed: int, output: Path) -> None:
     """Draw a game's starting position as a PNG, without a window."""
-    from engine.stage.picture import render_variant  # noqa: PLC0415
-    from engine.variant.rack import lay_rack  # noqa: PLC0415
+    from engine.app.picture import render_variant  # noqa: PLC0415
+    from engine.game.placing import opening_layout  # noqa: PLC0415
 
     loaded = _load(variant)
-    layout = lay_rack(loaded.rack, seed)
+    layout = opening_layout(loaded, seed)
     render_variant(loaded, layout, renderer, camera, _size(size) or (1280, 720), output)
     click.echo(f"{output}: {loaded.title}, {renderer}, seen from {camera}")
 
