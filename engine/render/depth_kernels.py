@@ -155,7 +155,7 @@ def draw_triangles(
         if nx * eye[0] + ny * eye[1] + nz * eye[2] <= face_offsets[f]:
             continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        count = corners_of(seen, screen, a, b, c, focal, near, width, height, corner)
+        count = corners_of(seen, screen, a, b, c, focal, near, float(width), float(height), corner)
         if count < 3:
             continue
         smooth = face_smooth[f] and not flat and count == 3
@@ -371,7 +371,7 @@ def draw_tints(
         if share >= 1.0 or toward <= face_offsets[f]:
             continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        count = corners_of(seen, screen, a, b, c, focal, near, width, height, corner)
+        count = corners_of(seen, screen, a, b, c, focal, near, float(width), float(height), corner)
         for part in range(count - 2):
             p, q, r = corner[0], corner[part + 1], corner[part + 2]
             x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])

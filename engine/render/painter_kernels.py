@@ -42,7 +42,7 @@ def paint_part(
         if normals[f, 0] * eye[0] + normals[f, 1] * eye[1] + normals[f, 2] * eye[2] <= offsets[f]:
             continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        count = corners_of(seen, screen, a, b, c, focal, near, width, height, corner)
+        count = corners_of(seen, screen, a, b, c, focal, near, float(width), float(height), corner)
         for part in range(count - 2):
             fill_flat(
                 image,

@@ -85,6 +85,9 @@ def shade_faces(
         px, py, pz = centres[f, 0], centres[f, 1], centres[f, 2]
         if nx * (eye[0] - px) + ny * (eye[1] - py) + nz * (eye[2] - pz) <= 0.0:
             continue
+        if lights[f, 1] < 1.0:
+            out[f] = mix(float(colours[f, 0]), float(colours[f, 1]), float(colours[f, 2]), 1.0, 0.0)
+            continue
         light, shine = light_at(px, py, pz, nx, ny, nz, eye, lamps, ambient, lights[f, 0] * 0.5)
         out[f] = mix(float(colours[f, 0]), float(colours[f, 1]), float(colours[f, 2]), light, shine)
 

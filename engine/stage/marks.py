@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 LIFT = 0.0004
 """Height of what is painted on the cloth, m."""
 LINE_WIDTH = 0.0035
+PAINT = 0.7
+"""How much a line on the cloth covers."""
 SPOT_RADIUS = 0.0065
 ARC_STEPS = 48
 SHADE: Rgb = (0, 0, 0)
@@ -33,7 +35,9 @@ GLEAM: Rgb = (235, 245, 235)
 
 def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
     """Return the lines across the bed, and the arcs of zones with a round border."""
-    straight = [flat_path((line.start, line.end), colour) for line in table.lines.values()]
+    straight = [
+        flat_path((line.start, line.end), colour, alpha=PAINT) for line in table.lines.values()
+    ]
     round_zones = [
         (part, zone)
         for zone in table.zones.values()
@@ -46,7 +50,7 @@ def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
     for disc, zone in round_zones:
         if (disc.centre, disc.radius) not in seen:
             seen.add((disc.centre, disc.radius))
-            arcs += [flat_path(run, colour) for run in _arc_runs(disc, zone, table)]
+            arcs += [flat_path(run, colour, alpha=PAINT) for run in _arc_runs(disc, zone, table)]
     return (*straight, *arcs)
 
 
