@@ -141,7 +141,9 @@ def verb(node: Any) -> s.Verb:
     if word in _TARGET_VERBS:
         return s.Verb(at, _TARGET_VERBS[word], expression(node.children[0]))
     if word in _PLACE_VERBS:
-        return s.Verb(at, _PLACE_VERBS[word], None, _name(node.children[0]))
+        place = node.children[0]
+        at = at if place is None else span(place)
+        return s.Verb(at, _PLACE_VERBS[word], None, _name(place))
     if word in _BARE_VERBS:
         return s.Verb(at, _BARE_VERBS[word])
     return _cushion_verb(at, _CUSHION_VERBS[word], node.children[0])
@@ -296,7 +298,7 @@ def _choice(n: Any) -> s.Choice:
 
 
 def _place(n: Any) -> s.PlaceAt:
-    at, kids = span(n), [_text(child) for child in n.children]
+    at, kids = span(n.children[0] if n.children else n), [_text(child) for child in n.children]
     match n.data:
         case "at_spot":
             return s.PlaceAt(at, "at", kids[0])
@@ -335,12 +337,12 @@ def _require(n: Any) -> s.Statement:
 
 def _add(n: Any) -> s.Statement:
     value, name, who = n.children
-    return s.Write(span(n), "add", _text(name), _maybe(who), expression(value))
+    return s.Write(span(name), "add", _text(name), _maybe(who), expression(value))
 
 
 def _set(n: Any) -> s.Statement:
     name, who, value = n.children
-    return s.Write(span(n), "set", _text(name), _maybe(who), expression(value))
+    return s.Write(span(name), "set", _text(name), _maybe(who), expression(value))
 
 
 def _seat(n: Any) -> s.Statement:
@@ -363,7 +365,7 @@ _STATEMENTS: dict[str, Callable[[Any], s.Statement]] = {
     "assign": lambda n: s.Write(
         span(n), "assign", "group", expression(n.children[1]), expression(n.children[0])
     ),
-    "go_to_phase": lambda n: s.GoToPhase(span(n), _text(n.children[0])),
+    "go_to_phase": lambda n: s.GoToPhase(span(n.children[0]), _text(n.children[0])),
     "turn_continues": lambda n: s.Turn(span(n), continues=True, who=None),
     "turn_passes": lambda n: s.Turn(span(n), continues=False, who=_maybe(n.children[0])),
     "spot": _spot,

@@ -181,8 +181,10 @@ class Expressions:
         key = (name, frozen)
         if key not in scope.compiled:
             if name in scope.busy:
-                circle = " -> ".join([*scope.busy[scope.busy.index(name) :], name])
-                raise Mistake("R405", at, f'"{name}" reads itself: {circle}', "break the circle")
+                circle = ", ".join([*scope.busy[scope.busy.index(name) :], name])
+                raise Mistake(
+                    "R405", at, f'"{name}" reads itself: by way of {circle}', "break the circle"
+                )
             scope.busy.append(name)
             try:
                 inner = Expressions(scope, scope.sources[name], frozen=frozen)

@@ -61,7 +61,8 @@ def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, li
     tree = _try(parser, source)
     if not isinstance(tree, Exception):
         return build.script(tree, file, source), []
-    return _piecewise(parser, source, file)
+    script, found = _piecewise(parser, source, file)
+    return script, found or [explain(tree, source, file, parser)]
 
 
 def _try(parser: Lark, text: str) -> Any:

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 LONGEST = 200_000
 DEEPEST = 24
+HEAVIEST = 100
+_WEIGHTY = re.compile(r"\b(?:not|plus|minus|times|except|of|touching|by)\b")
 _EVENTS = {
     "pocketed", "hit", "left", "crossed", "entered", "jumped", "toppled", "rebounded", "settled",
     "pressed", "started", "leaned",
@@ -28,6 +30,11 @@ _PRESENT = {
     "pockets": "pocketed", "hits": "hit", "leaves": "left", "crosses": "crossed",
     "enters": "entered", "jumps": "jumped", "topples": "toppled", "rebounds": "rebounded",
     "potted": "pocketed", "touches": "touched",
+}  # fmt: skip
+_ACTIONS = {
+    "foul", "award", "deduct", "add", "set", "reset", "assign", "go", "turn", "spot", "respot",
+    "remove", "rerack", "restore", "give", "require", "allow", "shooter", "opponent", "leader",
+    "tie", "eliminate", "reinstate", "nothing", "offer", "if", "for",
 }  # fmt: skip
 _OPENERS = ("if ", "otherwise", "rule ", "for each", "offer ", "fouls", "points", "ending")
 
@@ -38,9 +45,22 @@ def scan(source: str, file: str) -> list[Diagnostic]:
         message = f"the script has {len(source)} characters; {LONGEST} are the most"
         return [_at("R109", file, 1, 1, message, "split it: uses ...", source)]
     found = []
+    opened = weight = 0
     for number, line in enumerate(source.split("\n"), 1):
         found.extend(_scan_line(source, file, number, line))
+        code = _code(line)
+        weight = len(_WEIGHTY.findall(code)) + (weight if opened else 0)
+        opened = max(0, opened + code.count("(") - code.count(")"))
+        if opened > DEEPEST or weight > HEAVIEST:
+            message = "this is nested too deep, or too long for one sentence"
+            mend = "use a define for the inner part"
+            return [*found, _at("R109", file, number, 1, message, mend, source)]
     return found
+
+
+def _code(line: str) -> str:
+    """Return a line with its strings blanked and its comment dropped."""
+    return re.sub(r'"[^"]*"', lambda m: "_" * len(m.group()), line).split("#")[0]
 
 
 def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnostic]:
@@ -50,7 +70,7 @@ def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnosti
     if "\t" in line:
         column = line.index("\t") + 1
         return one("R105", column, "a tab stands here", "use blanks: four for each step")
-    code = re.sub(r'"[^"]*"', lambda m: "_" * len(m.group()), line).split("#")[0]
+    code = _code(line)
     if '"' in code:
         return one("R108", code.index('"') + 1, "the string is not closed", 'close it with "')
     if code.count("[") > code.count("]"):
@@ -118,6 +138,9 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
     def made(code: str, message: str, mend: str) -> Diagnostic:
         return _at(code, file, line, column, message, mend, source, width)
 
+    special = _special(text, last, row, column, expected)
+    if special is not None:
+        return made(*special)
     if text in ("and", "or") and re.search(rf"\b{'or' if text == 'and' else 'and'}\b", row):
         return made("R103", "`and` and `or` are mixed", "put brackets around one of them")
     if text in _EVENTS and last in ("is", "are", "was", "were", "has", "have", "been"):
@@ -130,7 +153,7 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         column = row[: column - 1].rstrip().rfind(last) + 1
         width = len(last)
         return made("R101", f"`{last}` is not a word of the language", f"say `{_PRESENT[last]}`")
-    if "`:`" in expected and len(expected) <= 14 and text not in ("and", "or"):
+    if "`:`" in expected and text in _ACTIONS:
         return made("R102", f"a colon is missing before `{text}`", f"write `: {text}`")
     mend = _close(text, trouble.accepts or trouble.expected, parser)
     previous = _close(last, None, parser) if token.type == "NAME" or last else ""
@@ -141,6 +164,35 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         )
     told = f"; expected {_listed(expected)}" if expected else ""
     return made("R101", f"`{text}` does not fit here{told}", mend)
+
+
+def _special(
+    text: str, last: str, row: str, column: int, expected: list[str]
+) -> tuple[str, str, str] | None:
+    """Return code, message and mend of a mistake that a look at the line gives away."""
+    before = row[: column - 1]
+    if text == ":" and before.count("(") > before.count(")"):
+        return "R108", "the bracket is not closed", "close it with `)` before the colon"
+    if text == "not" and "`is`" in expected:
+        return "R101", "`not` stands without `is`", "say `is not`"
+    if last == "foul" and before.split()[-2:-1] != ["is"] and "if " in before:
+        return "R101", f"`foul {text}` is an action, not a condition", f"say `foul is {text}`"
+    declares = before.split()[:1] in (["define"], ["track"], ["fact"])
+    if last in ("a", "an", "the") and declares:
+        return "R101", f"`{last}` is an article and is passed over", "give it a longer name"
+    players = {"`shooter`", "`opponent`", "`chooser`"} <= set(expected)
+    if text == "otherwise":
+        return "R101", "this `otherwise` has no `if` above it", "align it with its `if`"
+    if players and not {"`cue`", "`if`"} & set(expected):
+        mend = "say `shooter`, `opponent` or `next player`"
+        return "R101", f"a player is due here, not `{text}`", mend
+    if declares and _is_name(text) and _is_name(last) and len(before.split()) < 4:
+        return "R101", f"a name is one word, but `{text}` follows", f"say `{last}-{text}`"
+    return None
+
+
+def _is_name(text: str) -> bool:
+    return re.fullmatch(r"[a-z][a-z0-9-]*", text) is not None and text not in ("per", "when", "as")
 
 
 def _line_end(
