@@ -28,6 +28,7 @@ BALL_BALLS = {"elastic": state.ELASTIC, "frictional": state.FRICTIONAL}
 CUSHIONS = {
     "restitution": state.RESTITUTION,
     "han-2005": state.HAN,
+    "mathavan-2010": state.MATHAVAN,
 }
 STRIKES = ("point",)
 POCKETS = ("drop-edge",)

@@ -1,4 +1,4 @@
-"""What a nose does to a ball: models `restitution` and `han-2005`.
+"""What a nose does to a ball: models `restitution`, `han-2005` and `mathavan-2010`.
 
 One idea: in the frame X along the nose, Y into it, Z up, the nose touches the ball at height h,
 so at the angle theta above its centre, sin(theta) = (h - R) / R. Invariant: the ball leaves with
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from numba import njit
 
 from engine.physics.collide import kick, scale_spin, spin_energy
+from engine.physics.mathavan import mathavan
 from engine.physics.state import (
     G_CUSHION,
     G_FRICTION,
@@ -20,6 +21,7 @@ from engine.physics.state import (
     G_NOSE,
     G_RUBBER,
     G_SLOPE,
+    HAN,
     KICK,
     MASS,
     RADIUS,
@@ -54,8 +56,10 @@ def bounce(ball: Floats, world: Floats, ix: float, iy: float) -> float:
     if world[G_CUSHION] == RESTITUTION:
         ball[VX] -= (1.0 + restitution) * speed * ix
         ball[VY] -= (1.0 + restitution) * speed * iy
-    else:
+    elif world[G_CUSHION] == HAN:
         _han(ball, world, ix, iy, restitution)
+    else:
+        mathavan(ball, world, ix, iy, restitution)
     return speed
 
 

@@ -44,7 +44,7 @@ BREAK = {"b0": (-0.635, 0.003), **{f"b{k + 1}": p for k, p in enumerate(rack(0.6
 def test_random_shots_on_a_table_without_pockets(seed):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(1, 10))
-    cushion = ["han-2005", "restitution"][seed % 2]
+    cushion = ["han-2005", "restitution", "mathavan-2010"][seed % 3]
     world = make_world(n, ball_cushion=cushion)
     trace = simulate(world, random_layout(rng, n), "b0", random_strike(rng))
     watch(trace)
