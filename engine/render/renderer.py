@@ -5,6 +5,7 @@ Invariant: every renderer draws the same scene; switching changes the manner and
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -31,6 +32,11 @@ def make_renderer(name: str) -> Renderer:
 
     Only the one that is asked for is imported, so that wireframe starts at once.
     """
+    if name in RENDERERS:
+        from engine.render import kernel_cache, line_kernels  # noqa: PLC0415
+
+        cache = Path(str(line_kernels.draw_segments.stats.cache_path))
+        kernel_cache.drop_stale(cache, Path(__file__).parent)
     if name == "wireframe":
         from engine.render.wireframe import Wireframe  # noqa: PLC0415
 
