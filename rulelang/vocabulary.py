@@ -5,9 +5,12 @@ One idea: the language knows the words of cue sports and learns every name of a 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 Value = bool | int | str
 """What a setting, a tracked value or a fact can be; a name is a str."""
