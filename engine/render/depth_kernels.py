@@ -25,7 +25,7 @@ FULL = np.float32(255.0)
 HALF = np.float32(0.5)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def lit_span(
     row: Pixels,
     depths: Singles,
@@ -36,36 +36,43 @@ def lit_span(
     lit: np.float32,
     lamps: Singles,
     shares: Singles,
+    scratch: Singles,
 ) -> None:
     """Shade one span of a flat face whose 1/z is `w` at its first pixel and grows by `dw`.
 
     `ray` is |D|^2 and its first and second differences; `lit` the light from all round;
-    `lamps` (n, 3): V.D at the first pixel, its difference, |V|^2; `shares` the power of each.
+    `lamps` (n, 3): V.D at the first pixel, its difference, |V|^2; `shares` the power of each;
+    `scratch` (3, width) is room for the span.
     """
     red, green, blue = colour
     d0, d1, d2 = ray
     count = row.shape[0]
-    lamp_count = len(shares)
+    depth_of, square_of, light_of = scratch[0, :count], scratch[1, :count], scratch[2, :count]
     for i in range(count):
         step = np.float32(i)
-        inverse = w + dw * step
-        z = ONE / inverse
-        square = (d0 + step * (d1 + step * d2)) * z * z
-        light = lit
-        for k in range(lamp_count):
-            toward = lamps[k, 0] + lamps[k, 1] * step
-            light += shares[k] / (square - (toward + toward) * z + lamps[k, 2])
+        z = ONE / (w + dw * step)
+        depth_of[i] = z
+        square_of[i] = (d0 + step * (d1 + step * d2)) * z * z
+        light_of[i] = lit
+    for k in range(len(shares)):
+        share, far = shares[k], lamps[k, 2]
+        first, grow = lamps[k, 0] + lamps[k, 0], lamps[k, 1] + lamps[k, 1]
+        for i in range(count):
+            toward = first + grow * np.float32(i)
+            light_of[i] += share / (square_of[i] - toward * depth_of[i] + far)
+    for i in range(count):
+        light = light_of[i]
         r = np.int32(min(red * light, FULL) + HALF)
         g = np.int32(min(green * light, FULL) + HALF)
         b = np.int32(min(blue * light, FULL) + HALF)
         new = np.uint32((r << 16) | (g << 8) | b)
+        inverse = w + dw * np.float32(i)
         old = depths[i]
-        nearer = inverse > old
-        depths[i] = inverse if nearer else old
-        row[i] = new if nearer else row[i]
+        row[i] = new if inverse > old else row[i]
+        depths[i] = inverse if inverse > old else old
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def shiny_span(
     row: Pixels,
     depths: Singles,
@@ -99,7 +106,7 @@ def shiny_span(
         depths[i] = np.float32(inverse)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def plane_of(
     p: Floats, q: Floats, r: Floats, a: float, b: float, c: float
 ) -> tuple[float, float, float]:
@@ -112,7 +119,7 @@ def plane_of(
     return a - sx * p[0] - sy * p[1], sx, sy
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def draw_triangles(
     image: Pixels,
     depth: Singles,
@@ -144,6 +151,7 @@ def draw_triangles(
     lamp_terms = np.empty((lamp_count, 3), np.float32)
     shares = np.empty(lamp_count, np.float32)
     ray = np.empty((2, 3))
+    scratch = np.empty((3, width), np.float32)
     carried = np.empty((2, 3))
     normal_planes = np.empty((3, 3))
     scene = (eye, lamps, ambient)
@@ -239,10 +247,11 @@ def draw_triangles(
                     lit,
                     lamp_terms,
                     shares,
+                    scratch,
                 )
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def draw_spheres(
     image: Pixels,
     depth: Singles,
@@ -341,7 +350,7 @@ def draw_spheres(
                     depth[y, x] = np.float32(inverse)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def draw_tints(
     image: Pixels,
     depth: Singles,

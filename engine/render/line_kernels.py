@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from engine.render.arrays import Bytes, Floats, Ints, Pixels, Singles
 
 
-@njit(cache=True, nogil=True, inline="never")
+@njit(cache=True, nogil=True, error_model="numpy")
 def blend(image: Pixels, y: int, x: int, r: float, g: float, b: float, share: float) -> None:
     """Mix a colour into one pixel of an (h, w) uint32 image, 0x00RRGGBB."""
     old = image[y, x]
@@ -28,7 +28,7 @@ def blend(image: Pixels, y: int, x: int, r: float, g: float, b: float, share: fl
     image[y, x] = np.uint32((red << 16) | (green << 8) | blue)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def stroke(
     image: Pixels,
     depth: Singles,
@@ -104,7 +104,7 @@ def stroke(
             blend(image, y, x, r, g, b, share)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def segment(
     image: Pixels,
     depth: Singles,
@@ -150,7 +150,7 @@ def segment(
     stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, 0.5 * least)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def draw_segments(
     image: Pixels,
     depth: Singles,
@@ -186,7 +186,7 @@ def draw_segments(
         )
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def select_edges(edges: Ints, normals: Floats, offsets: Floats, eye: Floats, chosen: Ints) -> int:
     """Write the numbers of edges with a face turned to the eye to `chosen`; return how many."""
     count = 0

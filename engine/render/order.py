@@ -23,7 +23,7 @@ TOUCH = -1e-6
 """Parts may share a border; a gap above this is a border (m)."""
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def support(
     points: Floats, start: int, end: int, a: float, b: float, c: float
 ) -> tuple[float, float]:
@@ -35,7 +35,7 @@ def support(
     return low, high
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def part_planes(
     points: Floats,
     planes: Floats,
@@ -74,7 +74,7 @@ def part_planes(
     return gap
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def skew_plane(points: Floats, starts: Ints, one: int, two: int, gap: float, best: Floats) -> float:
     """Look for a plane that follows no face, by Gilbert's steps; keep the better of both."""
     i, j = starts[one, 0], starts[two, 0]
@@ -112,7 +112,7 @@ def skew_plane(points: Floats, starts: Ints, one: int, two: int, gap: float, bes
     return gap
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def plane_table(
     points: Floats, planes: Floats, starts: Ints, traits: Ints, face_normals: Floats, table: Floats
 ) -> None:
@@ -129,7 +129,7 @@ def plane_table(
                 table[j, i, k] = -best[k]
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def sphere_in_front(
     points: Floats, planes: Floats, starts: Ints, part: int, centre: Floats, eye: Floats
 ) -> bool:
@@ -172,7 +172,7 @@ def sphere_in_front(
     return result
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def hides(
     i: int,
     j: int,
@@ -208,7 +208,7 @@ def hides(
     return -1 if way > 0.0 else 1
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def sort_items(
     chosen: Ints,
     boxes: Floats,

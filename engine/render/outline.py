@@ -21,7 +21,7 @@ ROUND = 16
 """Corners of the polygon about a sphere's outline."""
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def convex_hull(points: Floats, count: int, hull: Floats) -> int:
     """Write the hull of points (n, 2) to `hull` and return its size (Andrew 1979).
 
@@ -55,7 +55,7 @@ def convex_hull(points: Floats, count: int, hull: Floats) -> int:
     return size
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def close_outline(
     points: Floats, count: int, item: int, boxes: Floats, outlines: Floats, spans: Longs
 ) -> None:
@@ -70,7 +70,7 @@ def close_outline(
         boxes[item, 2], boxes[item, 3] = max(boxes[item, 2], x), max(boxes[item, 3], y)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def part_outlines(
     seen: Floats,
     screen: Floats,
@@ -117,7 +117,7 @@ def part_outlines(
         close_outline(points, count, p, boxes, outlines, spans)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def sphere_outlines(
     first: int,
     centres: Floats,
@@ -162,7 +162,7 @@ def sphere_outlines(
         close_outline(points, ROUND, first + s, boxes, outlines, spans)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def apart(outlines: Floats, spans: Longs, i: int, j: int) -> bool:
     """Return whether a side of outline i has the whole of outline j beyond it."""
     first, last = spans[i], spans[i + 1]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from engine.render.arrays import Bytes, Floats, Ints, Pixels, Singles
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def paint_part(
     image: Pixels,
     top: int,
@@ -56,7 +56,7 @@ def paint_part(
             )
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def fill_skin(
     image: Pixels,
     top: int,
@@ -97,7 +97,7 @@ def fill_skin(
             )
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def paint_sphere(
     image: Pixels,
     top: int,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 SNAP = 256.0
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def project_points(
     points: Floats,
     eye: Floats,
@@ -51,7 +51,7 @@ def project_points(
         screen[i, 2] = w
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def corners_of(
     seen: Floats,
     screen: Floats,
@@ -101,7 +101,7 @@ def corners_of(
     return count
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def by_height(
     x0: float, y0: float, x1: float, y1: float, x2: float, y2: float
 ) -> tuple[float, float, float, float, float, float, float]:
@@ -116,7 +116,7 @@ def by_height(
     return x0, y0, x1, y1, x2, y2, cross
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def span_of(
     y: int,
     width: int,
@@ -141,7 +141,7 @@ def span_of(
     return max(int(np.ceil(left - 0.5)), 0), min(int(np.ceil(right - 0.5)), width)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def rows_of(y0: float, y2: float, top: int, bottom: int) -> tuple[int, int]:
     """Return the first row and the one after the last between two heights."""
     first = np.ceil(min(max(y0, top - 1.0), bottom + 1.0) - 0.5)
@@ -149,7 +149,7 @@ def rows_of(y0: float, y2: float, top: int, bottom: int) -> tuple[int, int]:
     return max(int(first), top), min(int(last), bottom)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def fill_flat(
     image: Pixels,
     top: int,

@@ -21,7 +21,7 @@ SHINE = 6
 """Highlights are raised to the power 2^SHINE."""
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def light_at(
     px: float,
     py: float,
@@ -58,7 +58,7 @@ def light_at(
     return light, shine
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def mix(red: float, green: float, blue: float, light: float, shine: float) -> np.uint32:
     """Return a colour in light as 0x00RRGGBB."""
     white = 255.0 * shine
@@ -68,7 +68,7 @@ def mix(red: float, green: float, blue: float, light: float, shine: float) -> np
     return np.uint32((int(r + 0.5) << 16) | (int(g + 0.5) << 8) | int(b + 0.5))
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def shade_faces(
     centres: Floats,
     normals: Floats,
@@ -92,7 +92,7 @@ def shade_faces(
         out[f] = mix(float(colours[f, 0]), float(colours[f, 1]), float(colours[f, 2]), light, shine)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def texel(offset: int, size: int, x: float, y: float, z: float) -> int:
     """Return where in the flat skins the own direction (x, y, z) of a sphere is painted."""
     whole = abs(x) + abs(y) + abs(z)
@@ -107,7 +107,7 @@ def texel(offset: int, size: int, x: float, y: float, z: float) -> int:
     return offset + 3 * (row * size + column)
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def draw_discs(
     image: Pixels,
     depth: Singles,
