@@ -54,11 +54,18 @@ def mathavan(ball: Floats, world: Floats, ix: float, iy: float, restitution: flo
     _integrate(y, rise, level, world[G_FRICTION], world[G_SLIDING], restitution)
     after = _energy(y)
     if after > before:
-        y *= sqrt(before / after)
+        for k in range(5):
+            y[k] *= sqrt(before / after)
     ball[VX], ball[VY] = y[0] * ax + y[1] * ix, y[0] * ay + y[1] * iy
     ball[WX] = (y[2] * ax + y[3] * ix) / radius
     ball[WY] = (y[2] * ay + y[3] * iy) / radius
     ball[WZ] = y[4] / radius
+
+
+@njit(cache=True, error_model="numpy")
+def _copy(source: Floats, target: Floats) -> None:
+    for k in range(5):
+        target[k] = source[k]
 
 
 @njit(cache=True, error_model="numpy")
@@ -72,14 +79,14 @@ def _integrate(
 ) -> None:
     """Run compression and restitution; `y` is v_x, v_y and R w in the nose's frame."""
     h = y[1] / STEPS
-    one, two, last = np.empty(5), np.empty(5), y.copy()
+    one, two, last = np.empty(5), np.empty(5), np.empty(5)
     work, aim, returning = 0.0, 0.0, False
     for _ in range(60 * STEPS):
-        last[:] = y
+        _copy(y, last)
         _heun(y, one, two, h, rise, level, nose, bed)
         if not returning and y[1] <= 0.0:
             part = last[1] / (last[1] - y[1])
-            y[:] = last
+            _copy(last, y)
             _heun(y, one, two, part * h, rise, level, nose, bed)
             work += 0.5 * part * h * (last[1] + y[1])
             aim, returning, work = restitution * restitution * work, True, 0.0
@@ -88,7 +95,7 @@ def _integrate(
         done = 0.5 * h * (last[1] + y[1])
         if returning and work - done >= aim:
             part = _part_of_step(aim - work, last[1], y[1], h)
-            y[:] = last
+            _copy(last, y)
             _heun(y, one, two, part * h, rise, level, nose, bed)
             return
         work += -done if returning else done
@@ -119,9 +126,9 @@ def _heun(
 ) -> None:
     if h <= 0.0:
         return
-    one[:] = y
+    _copy(y, one)
     _step(one, h, rise, level, nose, bed)
-    two[:] = one
+    _copy(one, two)
     _step(two, h, rise, level, nose, bed)
     for k in range(5):
         y[k] = 0.5 * (y[k] + two[k])

@@ -89,7 +89,8 @@ def spread(balls: Floats, members: Ints, count: int, world: Floats, contacts: Fl
     way = np.zeros((balls.shape[0], 2))
     order = _round(balls, members, count, world, contacts[:total], way, moving=True, order=1)
     for _ in range(60):
-        way[:] = 0.0
+        for i in range(way.shape[0]):
+            way[i, 0] = way[i, 1] = 0.0
         if _fastest(balls, contacts[:total]) <= SOFT:
             break
         order = _round(
@@ -123,7 +124,8 @@ def _contacts(balls: Floats, members: Ints, count: int, contacts: Floats) -> int
 def _fastest(balls: Floats, contacts: Floats) -> float:
     """Return the greatest speed at which touching members near each other."""
     fastest = 0.0
-    for row in contacts:
+    for c in range(contacts.shape[0]):
+        row = contacts[c]
         if row[C_FROZEN] != 0.0:
             fastest = max(fastest, _nearing(balls, row, row[C_NX], row[C_NY]))
     return fastest

@@ -395,8 +395,9 @@ def _gather_now(
     now: float,
 ) -> int:
     """Gather the touching cluster about two balls and bring its members to `now`."""
-    here = balls.copy()
+    here = np.empty(balls.shape)
     for i in range(balls.shape[0]):
+        here[i, RADIUS] = balls[i, RADIUS]
         here[i, X], here[i, Y] = _at(balls[i], now)
     count = gather(here, present, one, two, members)
     for p in range(count):

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 Piece = tuple[float, float, "Point", "Point", "Point"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Trace:
     """A simulated shot.
 

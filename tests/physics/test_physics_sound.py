@@ -5,6 +5,7 @@ import subprocess
 import sys
 from itertools import pairwise
 from math import inf, pi, radians, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,6 +30,7 @@ from engine.physics.simulate import Simulation, simulate, warm_up
 from engine.physics.world import Ball, Cloth, Contact, Rubber, Strike, World
 from engine.table.build import PocketCut, build_table
 
+ROOT = Path(__file__).parents[2]
 ROUND = (
     PocketCut(0.083, radians(135), 0.03, 0.102, 0.05),
     PocketCut(0.087, radians(90), 0.0, 0.064, 0.05),
@@ -117,7 +119,12 @@ def test_two_processes_with_different_hash_seeds_agree():
     for seed in ("1", "77"):
         env = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": "."}
         done = subprocess.run(
-            [sys.executable, "-c", SCRIPT], capture_output=True, text=True, env=env, check=True
+            [sys.executable, "-c", SCRIPT],
+            capture_output=True,
+            text=True,
+            env=env,
+            check=True,
+            cwd=ROOT,
         )
         seen.add(done.stdout.strip())
     assert len(seen) == 1
@@ -333,7 +340,9 @@ def test_types_of_the_world_do_not_load_numba():
         "import sys, engine.physics.world, engine.physics.events, engine.physics.simulate, "
         "engine.table.build; print('numba' in sys.modules)"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT
+    )
     assert done.stdout.strip() == "False"
 
 
