@@ -7,6 +7,7 @@ player go on or ends the game in his favour. Invariant: chance comes from the se
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import chain
 from math import atan2, cos, degrees, hypot, radians, sin
 from typing import TYPE_CHECKING
 
@@ -41,19 +42,23 @@ class Plan:
 
 
 def find_plan(session: Session, lot: Random, tries: int = 140, *, foul: bool = False) -> Plan:
-    """Return the best plan found in so many tries; with `foul`, the first one that is a foul."""
+    """Return the best plan found in so many tries.
+
+    With `foul`, the first one after which the other player is left with more than his turn.
+    """
     best: Plan | None = None
     good = 0
-    for number, stroke in enumerate(_strokes(session, lot)):
+    strokes = chain(_feeble(session), _strokes(session, lot)) if foul else _strokes(session, lot)
+    for number, stroke in enumerate(strokes):
         if number >= tries or good > 3:
             break
-        plan, is_foul = _tried(session, stroke)
+        plan, went_wrong = _tried(session, stroke)
         if foul:
-            plan = replace(plan, worth=50.0 if is_foul else plan.worth)
+            plan = replace(plan, worth=50.0 if went_wrong else -50.0)
         if best is None or plan.worth > best.worth:
             best = plan
         good += plan.worth >= 1.0
-        if foul and is_foul:
+        if foul and went_wrong:
             break
     if best is None:
         raise AssertionError("there is always a stroke to try")
@@ -68,9 +73,10 @@ def _tried(session: Session, stroke: Stroke) -> tuple[Plan, bool]:
     verdict = judge_shot(
         variant, session.match.situation, observe(variant, ahead, shot, trace), explain=False
     )
-    return Plan(
-        stroke, shot.call, _worth(ahead, verdict) + _nearness(session, shot)
-    ), verdict.is_foul
+    after = verdict.after
+    went_wrong = after.winner is None and (verdict.is_foul or bool(after.offers))
+    worth = _worth(ahead, verdict) + _nearness(session, shot)
+    return Plan(stroke, shot.call, worth), went_wrong
 
 
 def _call(session: Session, trace: Trace) -> Call:
@@ -131,6 +137,12 @@ def _strokes(session: Session, lot: Random) -> Iterator[Stroke]:
         stroke = _aimed(now, heading, lot.uniform(1.5, 5.5))
         side, follow = 0.025 * lot.randint(-12, 12), 0.025 * lot.randint(-8, 12)
         yield stroke.tipped(side, follow, session.tip_limit)
+
+
+def _feeble(session: Session) -> Iterator[Stroke]:
+    """Yield strokes that are likely to be wrong: hardly any power, here and there."""
+    for turn in (0.0, 40.0, -40.0, 90.0, 180.0):
+        yield _aimed(session.stroke, session.stroke.heading + turn, 1.0)
 
 
 def _aimed(now: Stroke, heading: float, speed: float) -> Stroke:

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from engine.app.stroke import Stroke
     from rulelang.facts import Call
 
-FOULS_AT = (3, 8, 15)
-"""Strokes that are meant to be fouls."""
+FOULS_AT = (1, 5, 12)
+"""Strokes that are meant to go wrong."""
 
 
 @dataclass(slots=True)
@@ -107,7 +107,7 @@ class Player:
         options = loop.session.match.situation.options
         count = self.taken.get(options, 0)
         self.taken[options] = count + 1
-        index = count if count < len(options) else 0
+        index = max(len(options) - 1 - count, 0)
         self._picture(loop, "choose")
         self._say(f"  player {loop.session.shown.shooter} chooses {options[index]} of {options}")
         for _ in range((index - loop.session.picked) % len(options)):
@@ -174,7 +174,8 @@ class Player:
             self._picture(loop, "verdict")
         if self.strokes == 3:
             yield from self._look_again(loop)
-        yield from press("return")
+        if loop.session.mode is Mode.VERDICT:
+            yield from press("return")
 
     def _look_again(self, loop: Loop) -> Iterator[None]:
         """Use the keys around a shot once: why, save, replay, undo and redo."""

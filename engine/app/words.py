@@ -6,6 +6,7 @@ hyphens read as spaces; this module only puts them into sentences.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -123,10 +124,15 @@ def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLi
         notes.append("out")
     return PlayerLine(
         player_name(player),
-        str(situation.scores[player - 1]) if player <= len(situation.scores) else "",
+        str(situation.scores[player - 1]) if counts_points(variant) else "",
         player == situation.shooter and not situation.over,
         tuple(notes),
     )
+
+
+def counts_points(variant: Variant) -> bool:
+    """Whether any rule of the game gives or takes points."""
+    return any(re.search(r"\b(award|deduct)\b", rule.text) for rule in variant.program.rules)
 
 
 def asked(session: Session) -> str:
@@ -240,10 +246,7 @@ def _happened(verdict: Verdict) -> list[Line]:
 
 
 def _put_back(verdict: Verdict) -> list[Line]:
-    lines = [
-        Line(f"{spoken(one.ball)} back {'on' if one.on else 'near'} the {spoken(one.spot)}")
-        for one in verdict.spotted
-    ]
+    lines = [Line(f"{spoken(one.ball)} back {_where(one)}") for one in verdict.spotted]
     lines += [Line(f"{spoken(ball)} stays off the table") for ball in verdict.removed]
     if verdict.reracked:
         lines.append(Line(f"{verdict.reracked} balls are racked"))
@@ -288,3 +291,9 @@ def explanation_lines(outcomes: Iterable[RuleOutcome]) -> list[Line]:
         if one.because:
             lines.append(Line(f"    {one.because}", "faint"))
     return lines or [Line("The referee has not spoken yet.", "faint")]
+
+
+def _where(spotted: Spotted) -> str:
+    if spotted.spot is None:
+        return "on the table"
+    return f"{'on' if spotted.on else 'near'} the {spoken(spotted.spot)}"

@@ -18,7 +18,11 @@ def rows():
 
 def test_the_documentation_has_exactly_the_keys_of_the_table():
     written = [line for line in DOCS.read_text(encoding="utf-8").splitlines() if line[:2] == "| "]
-    told = [line for line in written if line not in ("| keys | what they do |", "| hand | what it does |")]
+    told = [
+        line
+        for line in written
+        if line not in ("| keys | what they do |", "| hand | what it does |")
+    ]
     assert told == list(rows())
 
 

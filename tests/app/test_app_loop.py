@@ -1,0 +1,218 @@
+"""The real loop in a window without a screen: frames, keys, drawing, journal."""
+
+import tomllib
+from random import Random
+
+import numpy as np
+import pygame
+import pytest
+
+from engine.app.inputs import CloseAsked, KeyPressed, KeyReleased
+from engine.app.pages import Page
+from engine.app.play import make_loop, newest_journal, play
+from engine.app.session import Mode
+from engine.app.settings import Settings
+from engine.app.window import close_window, open_window
+from engine.records.journal import resume
+from engine.variant.load import load_variant
+from tools.play_script import Player
+
+pytestmark = pytest.mark.xdist_group("window")
+
+
+@pytest.fixture
+def loop(own_folders, start):
+    window = open_window((900, 600), "test")
+    match = start("three_cushion").match
+    made = make_loop(window, match, Settings.model_validate({}), own_folders / "journal.toml")
+    made.startup.join()
+    assert made.startup.trouble is None
+    yield made
+    close_window()
+
+
+def press(loop, *keys):
+    for key in keys:
+        loop.frame([KeyPressed(key), KeyReleased(key)], 1.0 / 60.0)
+
+
+def picture(loop):
+    return pygame.surfarray.array3d(loop.window.surface).copy()
+
+
+def test_a_frame_draws_a_table(loop):
+    loop.frame([], 0.0)
+    assert len(np.unique(picture(loop).reshape(-1, 3), axis=0)) > 100
+
+
+def test_one_two_three_switch_the_renderer_also_while_balls_roll(loop):
+    press(loop, "1")
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space")
+    loop.frame([], 0.6)
+    assert loop.session.mode is Mode.ROLLING
+    seen = {}
+    for key in "123":
+        loop.frame([KeyPressed(key), KeyReleased(key)], 0.0)
+        seen[loop.renderer] = picture(loop)
+        assert loop.session.mode is Mode.ROLLING
+    assert list(seen) == ["wireframe", "painter", "scanline"]
+    assert (seen["wireframe"] != seen["painter"]).mean() > 0.1
+    assert (seen["painter"] != seen["scanline"]).mean() > 0.01
+
+
+def test_the_camera_key_goes_through_three_cameras(loop):
+    seen = []
+    for _ in range(3):
+        press(loop, "c")
+        seen.append(loop.view.camera)
+    assert sorted(seen) == ["above", "cue", "orbit"]
+
+
+def test_a_held_key_turns_as_far_at_any_rate(loop):
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    turned = []
+    for rate in (24, 60, 240):
+        before = loop.session.stroke.heading
+        loop.frame([KeyPressed("left")], 0.0)
+        for _ in range(rate):
+            loop.frame([], 1.0 / rate)
+        loop.frame([KeyReleased("left")], 0.0)
+        turned.append((loop.session.stroke.heading - before) % 360.0)
+    assert max(turned) - min(turned) <= 1.0
+    assert min(turned) > 20.0
+
+
+def test_pages_open_scroll_and_close(loop):
+    press(loop, "f1")
+    assert loop.page is Page.HELP
+    press(loop, "down", "down")
+    assert loop.scroll == 2
+    press(loop, "escape")
+    assert loop.page is None
+    press(loop, "escape")
+    assert loop.page is Page.MENU
+    press(loop, *["down"] * 4, "return")
+    assert not loop.running
+
+
+def test_a_page_keeps_the_keys_from_the_game(loop):
+    before = loop.session
+    press(loop, "f1", "left", "u", "space")
+    assert loop.session.match is before.match
+    assert loop.session.stroke == before.stroke
+
+
+def test_closing_the_window_ends_the_loop(loop):
+    loop.frame([CloseAsked()], 0.1)
+    assert not loop.running
+
+
+@pytest.mark.parametrize("size", [(480, 320), (900, 600), (1280, 720), (1920, 1080), (700, 1000)])
+def test_any_size_of_window_can_be_drawn(loop, size):
+    loop.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    press(loop, "f1")
+    press(loop, "escape")
+    loop.frame([], 0.0)
+    box = loop.hud.picture_box()
+    assert box[2] > size[0] // 2
+    assert box[1] + box[3] <= size[1]
+
+
+def test_every_shot_is_in_the_journal_before_the_next(loop, own_folders):
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space")
+    kept = resume(own_folders / "journal.toml", load_variant)
+    assert len(kept.played) == 1
+    assert kept.situation.rest.positions == loop.session.match.situation.rest.positions
+    press(loop, "u")
+    assert resume(own_folders / "journal.toml", load_variant).played == ()
+
+
+def test_f5_saves_the_shot_as_a_record_and_says_where(loop, own_folders):
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space", "f", "f5")
+    assert loop.session.note.startswith("saved ")
+    saved = list((own_folders / "data").rglob("*.toml"))
+    assert len(saved) == 1
+    record = tomllib.loads(saved[0].read_text(encoding="utf-8"))
+    assert record["variant"] == "three_cushion"
+    assert record["shot"][0]["strike"]["speed"] == loop.session.last.shot.strike.speed
+
+
+def test_a_scripted_player_plays_through_the_real_loop(own_folders):
+    player = Player(own_folders, Random(2), most=3, fouls_at=(2,))
+    status = play(
+        "eight_ball",
+        seed=5,
+        size=(900, 600),
+        rate=500,
+        journal=own_folders / "match.toml",
+        each=player.each,
+    )
+    assert status == 0
+    assert player.strokes == 3
+    assert len(player.pictures) > 15
+    assert resume(own_folders / "match.toml", load_variant).played
+
+
+def test_a_killed_match_is_gone_on_with(own_folders):
+    first = Player(own_folders, Random(1), most=1, fouls_at=())
+    path = own_folders / "match.toml"
+    assert play("three_cushion", seed=5, rate=500, journal=path, each=first.each) == 0
+    seen = []
+
+    def look(loop):
+        seen.append(len(loop.session.match.played))
+        loop.running = False
+
+    assert play("three_cushion", resume=True, journal=path, each=look) == 0
+    assert seen[0] == 1
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"variant": "eight_bal"}, "eight_ball"),
+        ({"variant": "three_cushion", "players": 9}, "players"),
+        ({"variant": "three_cushion", "settings": {"taget": "5"}}, "target"),
+        ({"variant": "three_cushion", "settings": {"target": "many"}}, "whole number"),
+        ({"variant": "three_cushion", "rate": 0}, "rate"),
+        ({"variant": "three_cushion", "renderer": "oil"}, "wireframe"),
+        ({"variant": "three_cushion", "resume": True}, "no match"),
+        ({"variant": "three_cushion", "resume": "nowhere.toml"}, "nowhere.toml"),
+    ],
+)
+def test_a_mistake_of_the_player_is_one_clear_line(own_folders, capsys, asked, words):
+    assert play(**asked) == 2
+    told = capsys.readouterr().err
+    assert words in told
+    assert "Traceback" not in told
+
+
+def test_a_bad_settings_file_is_told_with_its_place(own_folders, capsys):
+    folder = own_folders / "config" / "headstring"
+    folder.mkdir(parents=True)
+    (folder / "settings.toml").write_text("rate = 0\n", encoding="utf-8")
+    assert play("three_cushion") == 2
+    assert "settings.toml:1: rate" in capsys.readouterr().err
+
+
+def test_without_a_screen_the_player_is_told(own_folders, capsys, monkeypatch):
+    monkeypatch.setenv("SDL_VIDEODRIVER", "x11")
+    monkeypatch.setenv("DISPLAY", ":987")
+    pygame.display.quit()
+    assert play("three_cushion") == 2
+    assert "no window can be opened" in capsys.readouterr().err
+
+
+def test_the_newest_journal_is_the_one_to_resume(own_folders):
+    folder = own_folders / "data" / "headstring" / "journals"
+    folder.mkdir(parents=True)
+    for name in ("three_cushion-20200101-000000.toml", "three_cushion-20300101-000000.toml"):
+        (folder / name).write_text("", encoding="utf-8")
+    assert newest_journal("three_cushion").name == "three_cushion-20300101-000000.toml"
