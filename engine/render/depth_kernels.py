@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 ONE = np.float32(1.0)
 FULL = np.float32(255.0)
 HALF = np.float32(0.5)
+TWO = np.float32(2.0)
+NONE = np.float32(0.0)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -34,6 +36,8 @@ def lit_span(
     ray: tuple[np.float32, np.float32, np.float32],
     colour: tuple[np.float32, np.float32, np.float32],
     lit: np.float32,
+    gloss: np.float32,
+    rise: np.float32,
     lamps: Singles,
     shares: Singles,
     scratch: Singles,
@@ -41,35 +45,54 @@ def lit_span(
     """Shade one span of a flat face whose 1/z is `w` at its first pixel and grows by `dw`.
 
     `ray` is |D|^2 and its first and second differences; `lit` the light from all round;
-    `lamps` (n, 3): V.D at the first pixel, its difference, |V|^2; `shares` the power of each;
-    `scratch` (3, width) is room for the span.
+    `lamps` (n, 4): V.D at the first pixel, its difference, |V|^2 (V from eye to lamp), and the
+    lamp's height over the face; `shares` the power of each; `rise` is the eye's height over the
+    face; `scratch` (4, width) is room for the span. The cosine between the ways to lamp and eye
+    follows from the three sides of their triangle.
     """
     red, green, blue = colour
     d0, d1, d2 = ray
     count = row.shape[0]
-    depth_of, square_of, light_of = scratch[0, :count], scratch[1, :count], scratch[2, :count]
+    depth_of, square_of = scratch[0, :count], scratch[1, :count]
+    light_of, white_of = scratch[2, :count], scratch[3, :count]
     for i in range(count):
         step = np.float32(i)
         z = ONE / (w + dw * step)
         depth_of[i] = z
         square_of[i] = (d0 + step * (d1 + step * d2)) * z * z
         light_of[i] = lit
+        white_of[i] = NONE
     for k in range(len(shares)):
         share, far = shares[k], lamps[k, 2]
         first, grow = lamps[k, 0] + lamps[k, 0], lamps[k, 1] + lamps[k, 1]
         for i in range(count):
             toward = first + grow * np.float32(i)
             light_of[i] += share / (square_of[i] - toward * depth_of[i] + far)
+        if gloss > NONE and share > NONE:
+            height = lamps[k, 3]
+            for i in range(count):
+                square = square_of[i]
+                lamp = square - (first + grow * np.float32(i)) * depth_of[i] + far
+                to_lamp, to_eye = ONE / np.sqrt(lamp), ONE / np.sqrt(square)
+                cosine = (lamp + square - far) * HALF * to_lamp * to_eye
+                half = (height * to_lamp + rise * to_eye) / np.sqrt(TWO + TWO * cosine)
+                half *= half
+                half *= half
+                half *= half
+                half *= half
+                half *= half
+                half *= half
+                white_of[i] += gloss * half
     for i in range(count):
-        light = light_of[i]
-        r = np.int32(min(red * light, FULL) + HALF)
-        g = np.int32(min(green * light, FULL) + HALF)
-        b = np.int32(min(blue * light, FULL) + HALF)
+        light, white = light_of[i], white_of[i] * FULL
+        r = np.int32(min(red * light + white, FULL) + HALF)
+        g = np.int32(min(green * light + white, FULL) + HALF)
+        b = np.int32(min(blue * light + white, FULL) + HALF)
         new = np.uint32((r << 16) | (g << 8) | b)
         inverse = w + dw * np.float32(i)
         old = depths[i]
         row[i] = new if inverse > old else row[i]
-        depths[i] = inverse if inverse > old else old
+        depths[i] = inverse if inverse > old else old  # noqa: FURB136  a choice vectorises
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -148,10 +171,10 @@ def draw_triangles(
     height, width = image.shape
     corner = np.empty((4, 3))
     lamp_count = len(lamps)
-    lamp_terms = np.empty((lamp_count, 3), np.float32)
+    lamp_terms = np.empty((lamp_count, 4), np.float32)
     shares = np.empty(lamp_count, np.float32)
     ray = np.empty((2, 3))
-    scratch = np.empty((3, width), np.float32)
+    scratch = np.empty((4, width), np.float32)
     carried = np.empty((2, 3))
     normal_planes = np.empty((3, 3))
     scene = (eye, lamps, ambient)
@@ -167,13 +190,15 @@ def draw_triangles(
         if count < 3:
             continue
         smooth = face_smooth[f] and not flat and count == 3
-        shiny = (smooth or face_light[f, 0] > 0.0) and not flat
         colour = (float(face_colours[f, 0]), float(face_colours[f, 1]), float(face_colours[f, 2]))
         colour32 = (np.float32(colour[0]), np.float32(colour[1]), np.float32(colour[2]))
         lit = np.float32(ambient * (0.76 + 0.24 * nz))
         for k in range(lamp_count):
             toward = lamps[k, 0] * nx + lamps[k, 1] * ny + lamps[k, 2] * nz - face_offsets[f]
             shares[k] = lamps[k, 3] * max(toward, 0.0)
+            lamp_terms[k, 3] = toward
+        rise = np.float32(nx * eye[0] + ny * eye[1] + nz * eye[2] - face_offsets[f])
+        gloss = np.float32(0.5 * face_light[f, 0])
         for part in range(count - 2):
             p, q, r = corner[0], corner[part + 1], corner[part + 2]
             x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
@@ -206,15 +231,11 @@ def draw_triangles(
                 for k in range(3):
                     ray[0, k] = basis[0, k] * u + basis[1, k] * v + basis[2, k]
                     ray[1, k] = basis[0, k] / focal
-                if shiny:
-                    if smooth:
-                        for k in range(3):
-                            plane = normal_planes[k]
-                            carried[0, k] = plane[0] + plane[1] * px + plane[2] * py
-                            carried[1, k] = plane[1]
-                    else:
-                        carried[0, 0], carried[0, 1], carried[0, 2] = nx, ny, nz
-                        carried[1, :] = 0.0
+                if smooth:
+                    for k in range(3):
+                        plane = normal_planes[k]
+                        carried[0, k] = plane[0] + plane[1] * px + plane[2] * py
+                        carried[1, k] = plane[1]
                     shiny_span(
                         row,
                         depths,
@@ -245,6 +266,8 @@ def draw_triangles(
                     square,
                     colour32,
                     lit,
+                    gloss,
+                    rise,
                     lamp_terms,
                     shares,
                     scratch,
