@@ -31,14 +31,14 @@ from rulelang.settle import (
     table_actions,
     write_state,
 )
-from rulelang.watch import Watch
+from rulelang.watch import OutOfFuel, Watch
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from rulelang.facts import Call, Situation, Tracked
 
-__all__ = ["RuleClash", "admit", "choose", "judge", "start"]
+__all__ = ["Admission", "OutOfFuel", "RuleClash", "admit", "choose", "judge", "start"]
 
 Fired = list[tuple[CompiledRule, list[tuple[Any, ...]]]]
 FOULS, POINTS, TURN, TABLE, NEXT_SHOT, ENDING = range(1, 7)
@@ -74,7 +74,7 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
     c.call = call
     c.cue = program.bits[_cue_ball(program, situation.shooter)]
     c.objects = program.ball_mask & ~c.cue
-    fired = _fire(program.compiled["before shot"], c)
+    fired = _fire(_rules(program, "before shot", c.phase), c)
     required = tuple(Required(d[1], d[2]) for _, made in fired for d in made if d[0] == "require")
     on = frozenset[str]()
     if program.on is not None:
@@ -137,6 +137,9 @@ def _judge(
     fired = _section(program, c, ENDING, log)
     c.state = write_state(program, fired, c.state)
     endings, eliminated = _endings(fired, situation)
+    for ending in endings:
+        last = _fire(program.compiled.get(f"{ending.unit} end", ()), c)
+        c.state = write_state(program, last, c.state)
     next_player = _still_in(c, turn, eliminated)
     if offers and not endings:
         next_player = offers[0].player
@@ -180,7 +183,7 @@ def choose(
         c = _watch(program, situation)
         c.cue = program.bits[_cue_ball(program, situation.shooter)]
         c.objects = program.ball_mask & ~c.cue
-        if made is not None and made.to in ("opponent", "chooser"):
+        if made is not None and made.to == "opponent":
             c.shooter = opponent(c, situation.shooter)
     clear(c.memo, tuple(range(program.memo_size)))
     c.chooser = c.next_player = situation.shooter
@@ -264,7 +267,7 @@ def start_of(program: Program, name: str, situation: Situation) -> Tracked:
 
 def _judge_fouls(program: Program, c: Watch, log: Any) -> None:
     c.stage = FOULS
-    rules = program.by_phase["fouls"].get(c.phase) or program.compiled["fouls"]
+    rules = _rules(program, "fouls", c.phase)
     early = _fire([r for r in rules if not r.late], c)
     c.fouls = _fouls(early)
     c.legal = not c.fouls
@@ -295,14 +298,22 @@ def _fouls(fired: Fired) -> tuple[Foul, ...]:
 def _section(program: Program, c: Watch, stage: int, log: Any) -> Fired:
     c.stage = stage
     name = SECTIONS[stage]
-    rules = program.by_phase[name].get(c.phase) or program.compiled[name]
-    fired = _fire(rules, c)
+    fired = _fire(_rules(program, name, c.phase), c)
     beaten: dict[int, CompiledRule] = {}
     if fired:
         fired, beaten = _override(fired)
     if log is not None:
         log.append((program.compiled[name], fired, beaten))
     return fired
+
+
+def _rules(program: Program, section: str, phase: str) -> tuple[CompiledRule, ...]:
+    """Return the rules of a section that can fire in a phase."""
+    found = program.by_phase.get(section, {}).get(phase)
+    if found is not None:
+        return found
+    rules = program.compiled.get(section, ())
+    return tuple(rule for rule in rules if rule.phases is None or phase in rule.phases)
 
 
 def _fire(rules: Iterable[CompiledRule], c: Watch) -> Fired:

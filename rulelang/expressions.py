@@ -27,10 +27,18 @@ if TYPE_CHECKING:
 
 _UNSET: Any = object()
 ORDINALS = {"first": 0, "second": 1, "third": 2, "last": -1}
+MOST = 10**12
+"""No number of a script grows beyond this, either way."""
+
+
+def _bounded(op: Callable[[int, int], int]) -> Callable[[int, int], int]:
+    return lambda a, b: max(-MOST, min(MOST, op(a, b)))
+
+
 _ARITHMETIC: dict[str, Callable[[int, int], int]] = {
     "plus": operator.add,
     "minus": operator.sub,
-    "times": operator.mul,
+    "times": _bounded(operator.mul),
 }
 _COMPARISONS: dict[str, Callable[[int, int], bool]] = {
     "at least": operator.ge,

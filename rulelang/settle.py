@@ -102,6 +102,9 @@ def offers_of(fired: Fired) -> tuple[Offer, ...]:
     for rule, (_, player, option, key) in _each(fired, "offer"):
         if (player, option) in found and found[player, option][0] != key:
             raise RuleClash(f"option {option}", found[player, option][1], rule)
+        for other, _ in found:
+            if other != player:
+                raise RuleClash("player who chooses", found[other, _][1], rule)
         found[player, option] = (key, rule)
     return tuple(Offer(player, option, key) for (player, option), (key, _) in found.items())
 

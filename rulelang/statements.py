@@ -153,6 +153,7 @@ class Statements:
             def players(c: Watch, out: list[Decision]) -> bool:
                 did = False
                 for player in range(1, c.players + 1):
+                    c.burn()
                     c.player = player
                     did = body(c, out) or did
                 return did
@@ -165,6 +166,7 @@ class Statements:
             did = False
             before = c.it
             for one in singles(balls(c)):
+                c.burn()
                 c.it = one
                 did = body(c, out) or did
             c.it = before

@@ -162,6 +162,9 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         return _at(
             "R101", file, line, column, f"`{last}` does not fit here", previous, source, len(last)
         )
+    only_name = "a name" in expected and "`cue ball`" not in expected and "`it`" not in expected
+    if only_name and text in _words(parser) and not mend:
+        return made("R101", f"`{text}` is a word of the language", "choose another name")
     told = f"; expected {_listed(expected)}" if expected else ""
     return made("R101", f"`{text}` does not fit here{told}", mend)
 
@@ -175,7 +178,7 @@ def _special(
         return "R108", "the bracket is not closed", "close it with `)` before the colon"
     if text == "not" and "`is`" in expected:
         return "R101", "`not` stands without `is`", "say `is not`"
-    if last == "foul" and before.split()[-2:-1] != ["is"] and "if " in before:
+    if last == "foul" and before.split()[-2:-1] != ["is"] and _in_condition(before):
         return "R101", f"`foul {text}` is an action, not a condition", f"say `foul is {text}`"
     declares = before.split()[:1] in (["define"], ["track"], ["fact"])
     if last in ("a", "an", "the") and declares:
@@ -189,6 +192,11 @@ def _special(
     if declares and _is_name(text) and _is_name(last) and len(before.split()) < 4:
         return "R101", f"a name is one word, but `{text}` follows", f"say `{last}-{text}`"
     return None
+
+
+def _in_condition(before: str) -> bool:
+    """Return whether the text before a place is still the condition of an `if`."""
+    return "if " in before and ":" not in before.rsplit("if ", 1)[1]
 
 
 def _is_name(text: str) -> bool:

@@ -27,12 +27,20 @@ BEGIN = -1
 END = 1 << 30
 
 
+FUEL = 20_000
+"""How many turns of loops one judgement may take."""
+
+
+class OutOfFuel(Exception):  # noqa: N818 - it names what happened, as the other stops do
+    """A script loops longer than any referee would."""
+
+
 class Watch:
     """What the rules of one judgement read; the evaluator moves it from section to section."""
 
     __slots__ = (
         "actions", "all_events", "balls", "bits", "call", "chooser", "continues", "cue",
-        "cue_hits", "ev", "fouls", "happened", "homes", "it", "legal", "memo", "names",
+        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
         "players", "scores", "seen", "shooter", "shot", "situation", "stage",
         "state", "stroke", "values",
@@ -77,7 +85,14 @@ class Watch:
         self.cue_hits: list[tuple[int, int]] = []
         self.stroke = True
         self.happened = 0
+        self.fuel = FUEL
         self.all_events: tuple[e.Event, ...] = ()
+
+    def burn(self) -> None:
+        """Count one turn of a loop; raises OutOfFuel when there were too many."""
+        self.fuel -= 1
+        if self.fuel < 0:
+            raise OutOfFuel(f"more than {FUEL} turns of loops in one judgement")
 
     def show(self, shot: Shot, delay: float) -> None:
         """Index the events of `shot`; balls settling within `delay` s count as pocketed."""

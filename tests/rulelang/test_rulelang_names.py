@@ -93,7 +93,7 @@ PLACES = {
     "foul": ["foul @", "foul @ worth 4", "foul @ alone", "if foul is @: turn continues"],
     "option": [
         "offer opponent: @: nothing happens",
-        "offer shooter:\n    @:\n        opponent of chooser plays\n    @ if shot is foul: nothing happens",
+        "offer shooter:\n    @:\n        chooser plays\n    @ if shot is foul: nothing happens",
     ],
     "fact": [
         "fact @ default no",
