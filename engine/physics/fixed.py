@@ -19,6 +19,18 @@ from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.motion import begin
 from engine.physics.predict import NEVER, closes, nose_time, swept_box
 from engine.physics.rebound import bounce
+from engine.physics.record import (
+    CAP,
+    EVENTS,
+    PIECES,
+    STARTED,
+    change,
+    drop,
+    faster_first,
+    into,
+    move,
+    note,
+)
 from engine.physics.state import (
     AX,
     AY,
@@ -47,22 +59,7 @@ from engine.physics.state import (
     X,
     Y,
 )
-from engine.physics.stepwise import (
-    CAP,
-    DONE,
-    EVENTS,
-    FULL,
-    PAUSED,
-    PIECES,
-    STARTED,
-    STORM,
-    change,
-    drop,
-    faster_first,
-    into,
-    move,
-    note,
-)
+from engine.physics.stepwise import DONE, FULL, PAUSED, STORM
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,0 +1,131 @@
+"""The cache of what comes next for every ball, and which of it comes first.
+
+One idea: each ball remembers its earliest nose, drop and partner, and the matrix of pair times is
+renewed only in the row and column of a ball that changed. Invariant: order is time, then tier
+(drop, ball and ball, nose, change of motion), then ball.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from numba import njit
+
+from engine.physics.predict import NEVER, nose_time, pair_time, pocket_time, swept_box
+from engine.physics.state import (
+    END,
+    FAST,
+    GONE,
+    REST,
+    ROLL,
+    SLIDE,
+    SPIN,
+    X,
+    Y,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
+
+K_NOSE_TIME, K_DROP_TIME, K_PAIR_TIME, K_NOSE, K_DROP, K_PAIR = range(6)
+FORESEEN_WIDTH = 6
+"""Columns of what is foreseen: times, and the nose, drop and ball they are about."""
+
+
+@njit(cache=True, error_model="numpy")
+def next_event(balls: Floats, kinds: Ints, foreseen: Floats) -> tuple[int, int, float]:
+    """Return tier, ball and time of the earliest foreseen event."""
+    best, tier, who = NEVER, 4, -1
+    for i in range(balls.shape[0]):
+        if kinds[i] == GONE:
+            continue
+        t = foreseen[i, K_DROP_TIME]
+        if t < best or (t == best and tier > 0 and t < NEVER):
+            best, tier, who = t, 0, i
+        t = foreseen[i, K_PAIR_TIME]
+        if t < best or (t == best and tier > 1 and t < NEVER):
+            best, tier, who = t, 1, i
+        t = foreseen[i, K_NOSE_TIME]
+        if t < best or (t == best and tier > 2 and t < NEVER):
+            best, tier, who = t, 2, i
+        t = balls[i, END]
+        if t < best:
+            best, tier, who = t, 3, i
+    return tier, who, best
+
+
+@njit(cache=True, error_model="numpy")
+def foresee(
+    balls: Floats,
+    kinds: Ints,
+    noses: Floats,
+    pockets: Floats,
+    pairs: Floats,
+    foreseen: Floats,
+    i: int,
+    now: float,
+    box: Floats,
+) -> None:
+    """Foresee all that may happen to ball `i`, whose piece starts `now`."""
+    row = foreseen[i]
+    row[K_NOSE_TIME] = row[K_DROP_TIME] = NEVER
+    if kinds[i] != GONE:
+        moving = kinds[i] in (ROLL, SLIDE, FAST)
+        if moving:
+            swept_box(balls[i], box)
+            for k in range(noses.shape[0]):
+                t = nose_time(balls[i], noses[k], box)
+                if t < row[K_NOSE_TIME]:
+                    row[K_NOSE_TIME], row[K_NOSE] = t, k
+        for k in range(pockets.shape[0]):
+            px, py, size = pockets[k, 0], pockets[k, 1], pockets[k, 2]
+            if moving:
+                t = pocket_time(balls[i], px, py, size)
+            else:
+                inside = (balls[i, X] - px) ** 2 + (balls[i, Y] - py) ** 2 <= size * size
+                t = now if inside else NEVER
+            if t < row[K_DROP_TIME]:
+                row[K_DROP_TIME], row[K_DROP] = t, k
+    _foresee_pairs(balls, kinds, pairs, foreseen, i, now)
+
+
+@njit(cache=True, error_model="numpy")
+def _foresee_pairs(
+    balls: Floats, kinds: Ints, pairs: Floats, foreseen: Floats, i: int, now: float
+) -> None:
+    """Renew row and column `i` of the pair times, and every row's earliest partner."""
+    n = balls.shape[0]
+    still = kinds[i] in (REST, SPIN)
+    for j in range(n):
+        if j == i:
+            continue
+        t = NEVER
+        both_still = still and kinds[j] in (REST, SPIN)
+        if kinds[i] != GONE and kinds[j] != GONE and not both_still:
+            t = pair_time(balls[i], balls[j], now)
+        if j > i:
+            pairs[i, j] = t
+            continue
+        pairs[j, i] = t
+        row = foreseen[j]
+        if t < row[K_PAIR_TIME] or (t == row[K_PAIR_TIME] and i < row[K_PAIR] and t < NEVER):
+            row[K_PAIR_TIME], row[K_PAIR] = t, i
+        elif int(row[K_PAIR]) == i and row[K_PAIR_TIME] < NEVER and t > row[K_PAIR_TIME]:
+            _earliest_partner(pairs, foreseen, j)
+    _earliest_partner(pairs, foreseen, i)
+
+
+@njit(cache=True, error_model="numpy")
+def _earliest_partner(pairs: Floats, foreseen: Floats, i: int) -> None:
+    row = foreseen[i]
+    row[K_PAIR_TIME] = NEVER
+    for j in range(i + 1, pairs.shape[0]):
+        if pairs[i, j] < row[K_PAIR_TIME]:
+            row[K_PAIR_TIME], row[K_PAIR] = pairs[i, j], j
+
+
+__all__ = ["FORESEEN_WIDTH", "K_DROP", "K_NOSE", "K_PAIR", "foresee", "next_event"]

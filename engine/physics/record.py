@@ -1,0 +1,190 @@
+"""What the solvers write down: pieces that end, events that happen, balls that go.
+
+One idea: a piece is written when it ends and an event when it happens, so the trace grows in
+order and is never touched again. Invariant: a ball's pieces follow each other without a gap.
+"""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+from typing import TYPE_CHECKING
+
+from numba import njit
+
+from engine.physics.motion import carry, finish
+from engine.physics.state import (
+    AX,
+    AY,
+    BX,
+    BY,
+    E_FIRST,
+    E_KIND,
+    E_SECOND,
+    E_SPEED,
+    E_TIME,
+    END,
+    G_OUT_X,
+    G_OUT_Y,
+    GONE,
+    LEFT,
+    N_CURVED,
+    N_DX,
+    N_DY,
+    N_SIZE,
+    N_X,
+    N_Y,
+    P_AX,
+    P_AY,
+    P_BALL,
+    P_BX,
+    P_BY,
+    P_KIND,
+    P_T0,
+    P_T1,
+    P_VX,
+    P_VY,
+    P_WX,
+    P_WY,
+    P_WZ,
+    P_X,
+    P_Y,
+    REST,
+    ROLL,
+    ROLLING,
+    STOPPED,
+    T0,
+    VX,
+    VY,
+    WX,
+    WY,
+    WZ,
+    X,
+    Y,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
+
+PIECES, EVENTS, STARTED, CAP = range(4)
+"""Counts: rows of both buffers, whether (or how far) the shot has started, and the event cap."""
+
+
+@njit(cache=True, error_model="numpy")
+def move(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pieces: Floats,
+    counts: Ints,
+    i: int,
+    now: float,
+) -> None:
+    """Close the ball's piece and carry its origin to `now`."""
+    close(balls[i], kinds[i], pieces, counts, i, now)
+    carry(balls[i], world, now)
+
+
+@njit(cache=True, error_model="numpy")
+def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: float) -> None:
+    """Write the ball's piece, which ends `now`, into the trace; an empty one is no piece."""
+    if now <= ball[T0]:
+        return
+    row = pieces[counts[PIECES]]
+    row[P_BALL], row[P_T0], row[P_T1], row[P_KIND] = i, ball[T0], now, kind
+    row[P_X], row[P_Y], row[P_VX], row[P_VY] = ball[X], ball[Y], ball[VX], ball[VY]
+    row[P_WX], row[P_WY], row[P_WZ] = ball[WX], ball[WY], ball[WZ]
+    row[P_AX], row[P_AY], row[P_BX], row[P_BY] = ball[AX], ball[AY], ball[BX], ball[BY]
+    counts[PIECES] += 1
+
+
+@njit(cache=True, error_model="numpy")
+def note(
+    events: Floats, counts: Ints, kind: int, now: float, first: int, second: float, speed: float
+) -> None:
+    """Write one event into the log."""
+    row = events[counts[EVENTS]]
+    row[E_KIND], row[E_TIME], row[E_FIRST] = kind, now, first
+    row[E_SECOND], row[E_SPEED] = second, speed
+    counts[EVENTS] += 1
+
+
+@njit(cache=True, error_model="numpy")
+def drop(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pieces: Floats,
+    counts: Ints,
+    who: int,
+    now: float,
+) -> None:
+    """Take a ball off the bed where it is."""
+    move(balls, kinds, world, pieces, counts, who, now)
+    kinds[who] = GONE
+    ball = balls[who]
+    ball[VX] = ball[VY] = ball[WX] = ball[WY] = ball[WZ] = 0.0
+    ball[AX] = ball[AY] = ball[BX] = ball[BY] = 0.0
+    ball[END] = inf
+
+
+@njit(cache=True, error_model="numpy")
+def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
+    """Return the two with the faster along the line of centres first."""
+    nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
+    mine = abs(balls[one, VX] * nx + balls[one, VY] * ny)
+    yours = abs(balls[two, VX] * nx + balls[two, VY] * ny)
+    return (one, two) if mine >= yours else (two, one)
+
+
+@njit(cache=True, error_model="numpy")
+def into(ball: Floats, nose: Floats) -> tuple[float, float]:
+    """Return the unit vector from the ball into the nose it touches."""
+    if nose[N_CURVED] == 0.0:
+        return nose[N_DY], -nose[N_DX]
+    x, y = nose[N_X] - ball[X], nose[N_Y] - ball[Y]
+    reach = sqrt(x * x + y * y)
+    sign = -1.0 if nose[N_SIZE] < 0.0 else 1.0
+    return sign * x / reach, sign * y / reach
+
+
+@njit(cache=True, error_model="numpy")
+def change(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    who: int,
+) -> None:
+    """Let a ball's piece end by itself: slip ends, a ball stops, or it is found off the bed."""
+    ball, before = balls[who], kinds[who]
+    end = ball[END]
+    close(ball, before, pieces, counts, who, end)
+    kinds[who] = finish(ball, world, before)
+    if abs(ball[X]) > world[G_OUT_X] or abs(ball[Y]) > world[G_OUT_Y]:
+        drop(balls, kinds, world, pieces, counts, who, end)
+        note(events, counts, LEFT, end, who, -1.0, 0.0)
+    elif kinds[who] == ROLL:
+        note(events, counts, ROLLING, end, who, -1.0, 0.0)
+    elif kinds[who] == REST:
+        note(events, counts, STOPPED, end, who, -1.0, 0.0)
+
+
+__all__ = [
+    "CAP",
+    "EVENTS",
+    "PIECES",
+    "STARTED",
+    "change",
+    "close",
+    "drop",
+    "faster_first",
+    "into",
+    "move",
+    "note",
+]
