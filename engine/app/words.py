@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from engine.app.session import Session
     from engine.game.match import Played
     from engine.game.situation import Situation
-    from engine.game.verdict import Verdict
+    from engine.game.verdict import Spotted, Verdict
     from engine.table.furniture import BallId
     from engine.variant.variant import Variant
     from rulelang.decisions import RuleOutcome

@@ -9,13 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from rulelang.evaluate import start
-
-from engine.game.referee import take_in_hand
+from engine.game.referee import on_the_bed, take_in_hand
 from engine.game.situation import Rest, Situation, as_rules_see, empty
 from engine.game.spotting import place_ball
 from engine.table.furniture import BallId, ZoneId
 from engine.variant.rack import lay_rack
+from rulelang.evaluate import start
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -145,7 +144,8 @@ def _open(variant: Variant, situation: Situation) -> Situation:
         state=dict(decided.state) or situation.state,
         shooter=decided.next_player or situation.shooter,
     )
-    return take_in_hand(variant, begun, zone)
+    ready = take_in_hand(variant, begun, zone)
+    return ready if zone else on_the_bed(variant, ready)
 
 
 def advance(match: Match, shot: Shot, verdict: Verdict) -> Match:

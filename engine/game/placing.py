@@ -9,6 +9,7 @@ from __future__ import annotations
 from math import hypot
 from typing import TYPE_CHECKING
 
+from engine.game.match import start_match
 from engine.game.shot import Refusal
 from engine.game.situation import Situation, cue_ball_of
 from engine.table.furniture import Places
@@ -75,3 +76,13 @@ def _places(variant: Variant, zone: ZoneId) -> Iterator[Point]:
                 table.length * (i / GRID - 0.5),
                 table.width * (j / (GRID // 2) - 0.5),
             )
+
+
+def opening_layout(variant: Variant, seed: int = 0) -> dict[BallId, Point]:
+    """Return where balls lie (m) when a game opens, the ball in hand at its usual place."""
+    situation = start_match(variant, seed=seed).situation
+    layout = dict(situation.rest.positions)
+    place = usual_place(variant, situation)
+    if place is not None:
+        layout[cue_ball_of(variant, situation.shooter)] = place
+    return layout

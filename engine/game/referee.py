@@ -9,15 +9,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rulelang.evaluate import Admission, admit, choose, judge
-
 from engine.game.aftermath import fallen, rest_after
 from engine.game.predicates import predicates_of
 from engine.game.situation import Judged, Situation, as_rules_see, cue_ball_of, zones_of
-from engine.game.spotting import Board, carry_out, lift
+from engine.game.spotting import Board, carry_out, lift, place_ball, starting_place
 from engine.game.verdict import Verdict
 from engine.table.furniture import ZoneId
 from rulelang import facts as said
+from rulelang.evaluate import Admission, admit, choose, judge
 
 if TYPE_CHECKING:
     from engine.game.shot import Shot
@@ -142,6 +141,8 @@ def _follow(variant: Variant, before: Situation, decided: Decisions, board: Boar
         shots=before.shots + 1,
     )
     after = take_in_hand(variant, after, in_hand)
+    if not decided.endings and cue_ball_of(variant, shooter) not in after.on_table:
+        after = on_the_bed(variant, after)
     return _end(after, decided) if decided.endings else _announce(variant, after)
 
 
@@ -160,6 +161,18 @@ def take_in_hand(variant: Variant, situation: Situation, zone: ZoneId | None) ->
         on_table=situation.on_table | {ball},
         rest=lift(situation.rest, frozenset({ball})),
     )
+
+
+def on_the_bed(variant: Variant, situation: Situation) -> Situation:
+    """Return the situation with the shooter's cue ball on the bed, at its start if need be."""
+    ball = cue_ball_of(variant, situation.shooter)
+    if situation.in_hand is not None or ball in situation.rest.positions:
+        return situation
+    at = starting_place(variant, situation.rest, ball)
+    if at is None:
+        return situation
+    rest = place_ball(variant, situation.rest, ball, at)
+    return replace(situation, rest=rest, on_table=situation.on_table | {ball})
 
 
 def _end(after: Situation, decided: Decisions) -> Situation:

@@ -15,7 +15,7 @@ from engine.game.contacts import frozen_pairs
 from engine.game.situation import Rest, Situation, zones_of
 from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
-from engine.table.marks import nearest_place
+from engine.table.marks import free_place, nearest_place
 from engine.variant.rack import lay_rack
 from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
 
@@ -115,7 +115,27 @@ def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]
         covering = coverer(variant, board.rest, spot, ball)
         if covering is None:
             return _put_on(variant, board, ball, spot)
-    return replace(board, on_table=board.on_table | {ball})
+    at = starting_place(variant, board.rest, ball)
+    return replace(
+        board,
+        rest=board.rest if at is None else place_ball(variant, board.rest, ball, at),
+        on_table=board.on_table | {ball},
+        spotted=(*board.spotted, Spotted(ball, None, on=False)),
+    )
+
+
+def starting_place(variant: Variant, rest: Rest, ball: BallId) -> Point | None:
+    """Return where a ball that no rule has a place for is put (m); None where there is no room.
+
+    That is its own spot, its fixed place in the rack, or the middle of the head string, or the
+    nearest place to it that has room.
+    """
+    table = variant.world.table
+    own = _own_spot(variant, ball)
+    start = table.spots[own] if own else variant.rack.fixed.get(ball, (-table.length / 4, 0.0))
+    radii = {one.id: one.radius for one in variant.world.balls}
+    others = [(at, radii[other]) for other, at in rest.positions.items() if other != ball]
+    return free_place(table, start, ((-1.0, 0.0), (1.0, 0.0)), radii[ball], others, GAP)
 
 
 def _spot_of(

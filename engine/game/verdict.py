@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Spotted:
-    """A ball put back: `on` its `spot`, or as near to it as the game allows."""
+    """A ball put back: `on` its `spot`, or as near to it as the game allows; no spot: anywhere."""
 
     ball: BallId
-    spot: SpotId
+    spot: SpotId | None
     on: bool
 
 

@@ -23,8 +23,8 @@ from rulelang.decisions import Offer
 from rulelang.facts import Call
 
 if TYPE_CHECKING:
-    from pathlib import Path
     from collections.abc import Iterable, Mapping
+    from pathlib import Path
 
     from engine.records.spec import (
         AfterSpec,

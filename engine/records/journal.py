@@ -23,6 +23,7 @@ from engine.records.write import before_table, shot_table
 
 if TYPE_CHECKING:
     from pathlib import Path
+
     from engine.game.match import Played
     from engine.records.read import Load
 

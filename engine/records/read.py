@@ -7,6 +7,7 @@ every name by the variant's own vocabulary. No record is half used.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
@@ -17,11 +18,11 @@ from engine.variant.library import VariantError
 from engine.variant.report import Report
 from engine.variant.source import Node, parse_source, read_source
 from engine.variant.variant import Variant
-from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rulelang.diagnostics import Diagnostic
     from pathlib import Path
+
+    from rulelang.diagnostics import Diagnostic
 
 Load = Callable[[str], Variant]
 

@@ -14,6 +14,7 @@ from engine.game.referee import judge_shot, offer_taken
 from engine.records.compare import WITHIN, Difference, compare
 from engine.records.hash import physics_hash
 from engine.records.record import RecordError
+from rulelang.evaluate import RuleClash
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -65,11 +66,19 @@ def run_record(record: Record, *, replay: bool = True) -> Outcome:
         _check_playable(record, situation, step.shot, number)
         shot, played, strays = _played(record, situation, step.shot, number, replay=replay)
         replayed = played if replayed is None else (replayed and played is not False)
-        verdict = judge_shot(record.variant, situation, shot)
+        verdict = _judged(record, situation, shot, number)
         judged.append(Judgement(situation, shot, verdict))
         differences += [*strays, *compare(number, step.expect, verdict, situation)]
         situation = verdict.after
     return Outcome(record, tuple(judged), tuple(differences), replayed)
+
+
+def _judged(record: Record, situation: Situation, shot: Shot, number: int) -> Verdict:
+    try:
+        return judge_shot(record.variant, situation, shot)
+    except RuleClash as clash:
+        mend = "let one of the two rules override the other, or narrow their conditions"
+        raise _unusable(record, ("shot", number - 1), str(clash), mend) from None
 
 
 def _check_playable(record: Record, situation: Situation, shot: Shot, number: int) -> None:

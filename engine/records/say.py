@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+
     from engine.game.situation import Situation
     from engine.game.verdict import Spotted, Verdict
     from rulelang.facts import Tracked
 
 
 def spotted_of(spotted: Spotted) -> str:
-    """Return `9 at foot-spot` or `9 near foot-spot`."""
+    """Return `9 at foot-spot` or `9 near foot-spot`; the ball alone where no spot is meant."""
+    if spotted.spot is None:
+        return spotted.ball
     return f"{spotted.ball} {'at' if spotted.on else 'near'} {spotted.spot}"
 
 
