@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
-    from rulelang.evaluate import Admission
-
     from engine.game.situation import Situation
     from engine.table.furniture import BallId
     from engine.variant.variant import Variant
+    from rulelang.evaluate import Admission
     from rulelang.facts import Call
 
 
@@ -80,7 +79,10 @@ def wanted_of(admission: Admission, shooter: int) -> Wanted:
 def callable_balls(
     variant: Variant, situation: Situation, admission: Admission
 ) -> tuple[BallId, ...]:
-    """Return the balls that can be called, those that are on first."""
+    """Return the balls that can be called, first those that are on.
+
+    `admission` is the one without a call, so that the order does not change with the call.
+    """
     cue = cue_ball_of(variant, situation.shooter)
     lying = [kind.id for kind in variant.balls if kind.id in situation.on_table and kind.id != cue]
     return tuple(sorted(lying, key=lambda ball: ball not in admission.on))
@@ -102,7 +104,7 @@ def _next(options: tuple[str | None, ...], now: str | None, by: int) -> str | No
 
 def next_ball(call: Call, balls: tuple[BallId, ...], by: int) -> Call:
     """Return the call with the ball `by` places further."""
-    return replace(call, ball=_next(balls, call.ball, by), safety=False)  # type: ignore[arg-type]
+    return replace(call, ball=_next(balls, call.ball, by), safety=False)
 
 
 def next_pocket(call: Call, variant: Variant, by: int) -> Call:

@@ -137,7 +137,7 @@ class Hud:
         pygame.draw.circle(surface, (190, 186, 170), middle, limit, 1)
         for dx, dy in ((1, 0), (0, 1)):
             ends = [(middle[0] + s * dx * limit, middle[1] + s * dy * limit) for s in (-1, 1)]
-            pygame.draw.line(surface, (206, 202, 188), *ends)
+            pygame.draw.line(surface, (206, 202, 188), ends[0], ends[1])
         place = (
             middle[0] + round(stroke.side * radius),
             middle[1] - round(stroke.follow * radius),

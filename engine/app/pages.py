@@ -57,7 +57,7 @@ def rows_of(page: Page, session: Session) -> list[Row]:
 
 
 def _help() -> list[Row]:
-    rows = []
+    rows: list[Row] = []
     for group in keys.groups():
         rows += [Row(Line(""))] if rows else []
         rows.append(Row(Line(group, "head")))

@@ -52,7 +52,8 @@ class Pen:
 
     def line(self, size: float = BASE) -> int:
         """Return the height of a line of text."""
-        return int(self.font(size).get_sized_height())
+        font = self.font(size)
+        return int(font.get_sized_height(float(font.size)))  # type: ignore[arg-type]
 
     def width(self, text: str, size: float = BASE) -> int:
         """Return the width of a text."""

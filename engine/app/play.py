@@ -43,7 +43,8 @@ def play(
     """Play a game in a window until the player quits; return the exit status.
 
     `settings` are the variant's, as text. `resume` is the path of a journal, or True for
-    `journal`, or without one the newest of this variant. `each` is called before every frame, with the loop.
+    `journal`, or without one the newest of this variant. `each` is called with the loop before
+    every frame.
     Status 2: what was asked for cannot be, told on stderr.
     """
     try:
@@ -109,7 +110,7 @@ def _journal_to_resume(
 
 def _resumed(path: Path) -> Match:
     from engine.records.journal import resume  # noqa: PLC0415
-    from engine.records.read import RecordError  # noqa: PLC0415
+    from engine.records.record import RecordError  # noqa: PLC0415
 
     try:
         return resume(path, load_variant)

@@ -21,14 +21,13 @@ from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
-    from rulelang.evaluate import Admission
-
     from engine.game.match import Match, Played
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
     from engine.physics.trace import Trace
     from engine.table.furniture import BallId, Point
     from engine.variant.variant import Variant
+    from rulelang.evaluate import Admission
     from rulelang.facts import Call
 
 SWING = 0.3
@@ -279,8 +278,8 @@ def _take(session: Session, option: str) -> Session:
         ahead = replace(after, offers=())
         return _prepare(replace(session, choice=option, ahead=ahead, note=""))
     match = advance(session.match, shot, chosen)
-    after = begin(match, session.stroke, session.aid)
-    return replace(after, trace=session.trace, note=f"chosen: {option.replace('-', ' ')}")
+    begun = begin(match, session.stroke, session.aid)
+    return replace(begun, trace=session.trace, note=f"chosen: {option.replace('-', ' ')}")
 
 
 def _move_ball(session: Session, command: commands.MoveBall | commands.PutBall) -> Session:
@@ -321,7 +320,8 @@ def _called(session: Session, command: commands.Command) -> Session:
 
 def _new_call(session: Session, command: commands.Command) -> Call | None:
     wanted, call, variant = session.wanted, session.call, session.variant
-    balls = calling.callable_balls(variant, session.ahead, session.admission)
+    uncalled = look_ahead(variant, session.ahead)
+    balls = calling.callable_balls(variant, session.ahead, uncalled)
     match command:
         case commands.CallNextBall(by) if wanted.ball:
             return calling.next_ball(call, balls, by)

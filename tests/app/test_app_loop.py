@@ -187,7 +187,8 @@ def test_a_killed_match_is_gone_on_with(own_folders):
         ({"variant": "three_cushion", "resume": "nowhere.toml"}, "nowhere.toml"),
     ],
 )
-def test_a_mistake_of_the_player_is_one_clear_line(own_folders, capsys, asked, words):
+@pytest.mark.usefixtures("own_folders")
+def test_a_mistake_of_the_player_is_one_clear_line(capsys, asked, words):
     assert play(**asked) == 2
     told = capsys.readouterr().err
     assert words in told
@@ -202,7 +203,8 @@ def test_a_bad_settings_file_is_told_with_its_place(own_folders, capsys):
     assert "settings.toml:1: rate" in capsys.readouterr().err
 
 
-def test_without_a_screen_the_player_is_told(own_folders, capsys, monkeypatch):
+@pytest.mark.usefixtures("own_folders")
+def test_without_a_screen_the_player_is_told(capsys, monkeypatch):
     monkeypatch.setenv("SDL_VIDEODRIVER", "x11")
     monkeypatch.setenv("DISPLAY", ":987")
     pygame.display.quit()

@@ -169,6 +169,21 @@ def test_steps_through_the_balls_come_round(start):
     assert do(session, *[commands.CallNextBall(1)] * (balls + 1)).call == first
 
 
+def test_every_ball_can_be_nominated_where_a_call_changes_what_is_on(start):
+    session = start("snooker")
+    situation = replace(session.match.situation, phase="colour", in_hand=None)
+    lying = {**situation.rest.positions, "cue": (0.0, 0.3)}
+    situation = replace(situation, rest=replace(situation.rest, positions=lying))
+    session = begin(replace(session.match, situation=situation))
+    assert session.mode is Mode.CALLING
+    called = []
+    for _ in range(len(situation.on_table) - 1):
+        session = do(session, commands.CallNextBall(1))
+        called.append(session.call.ball)
+    assert len(set(called)) == len(called)
+    assert all(not ball.startswith("red") for ball in called[:6])
+
+
 def test_undo_and_redo_lead_there_and_back(start):
     session = do(ended(struck(start("three_cushion"))), commands.Confirm())
     back = do(session, commands.Undo())

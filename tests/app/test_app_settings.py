@@ -46,5 +46,5 @@ def test_all_mistakes_are_told_at_once(tmp_path):
 
 
 def test_broken_toml_is_told_with_its_line(tmp_path):
-    with pytest.raises(SettingsError, match="not TOML.*line 1"):
+    with pytest.raises(SettingsError, match=r"not TOML.*line 1"):
         read(tmp_path, "rate = = 3\n")
