@@ -1,4 +1,4 @@
-"""How fast the renderers are: median and 95th percentile of the time of a frame.
+"""How fast the renderers are: best, median and 95th percentile of the time of a frame.
 
 `python -m tools.bench_render [--json]` draws a fixed scene, 22 balls on a twelve-foot table, into
 memory without a window; the camera moves every frame, or rests while the balls roll.
@@ -96,6 +96,7 @@ def main(arguments: list[str]) -> int:
                         "renderer": name,
                         "size": f"{size[0]}x{size[1]}",
                         "camera": "rests" if resting else "moves",
+                        "best_ms": round(min(times), 2),
                         "median_ms": round(float(np.median(times)), 2),
                         "p95_ms": round(float(np.percentile(times, 95)), 2),
                         "fps": round(1000.0 / float(np.median(times))),
