@@ -10,19 +10,22 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from engine.game.match import start_match
+from engine.game.referee import look_ahead
 from engine.game.shot import Refusal
+from engine.game.sight import View, path_to
 from engine.game.situation import Situation, cue_ball_of
-from engine.table.furniture import Places
+from engine.table.furniture import BallId, Places
 from engine.table.marks import contains
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from engine.table.furniture import BallId, Point, ZoneId
+    from engine.table.furniture import Point, ZoneId
     from engine.variant.variant import Variant
 
 GRID = 160
 CLEAR = 1e-6
+TRIED = 200
 
 
 def refuse_place(variant: Variant, situation: Situation, at: Point) -> Refusal | None:
@@ -53,15 +56,27 @@ def _overlapped(variant: Variant, situation: Situation, ball: BallId, at: Point)
 
 
 def usual_place(variant: Variant, situation: Situation) -> Point | None:
-    """Return a lawful place (m) for the ball in hand, near the middle and towards the foot."""
+    """Return a lawful place (m) for the ball in hand, near the middle and towards the foot.
+
+    The first of them from which a ball on can be hit full is taken, where there is one.
+    """
     if situation.in_hand is None:
         return None
-    lawful = (
-        at
-        for at in _places(variant, situation.in_hand)
-        if refuse_place(variant, situation, at) is None
+    lawful = sorted(
+        (
+            at
+            for at in _places(variant, situation.in_hand)
+            if refuse_place(variant, situation, at) is None
+        ),
+        key=lambda at: (round(abs(at[1]), 6), -at[0]),
     )
-    return min(lawful, key=lambda at: (round(abs(at[1]), 6), -at[0]), default=None)
+    on = frozenset(map(BallId, look_ahead(variant, situation).on))
+    ball = cue_ball_of(variant, situation.shooter)
+    radii = {one.id: one.radius for one in variant.world.balls}
+    for at in lawful[:: max(1, len(lawful) // TRIED)]:
+        if path_to(View(at, radii[ball], situation.rest.positions, radii), on) == "full":
+            return at
+    return lawful[0] if lawful else None
 
 
 def _places(variant: Variant, zone: ZoneId) -> Iterator[Point]:
