@@ -341,13 +341,15 @@ def test_elimination_and_three_players() -> None:
 
 OPTIONS = (
     "phases break, open\ntrack misses per game per player starting 0\n"
-    "before shot in phase open: if 8-ball is on table: require ball and pocket or safety from shooter\n"
+    "before shot in phase open: if 8-ball is on table: require ball and pocket or safety "
+    "from shooter\n"
     "define balls-on before shot as stripes on table\n"
     "at game start:\n    go to phase break\n    give breaker cue ball in hand in kitchen\n"
     "turn: if phase is break: go to phase open\n"
     "next shot:\n    if cue ball pocketed:\n        offer opponent:\n"
     "            play: nothing happens\n"
-    "            replace:\n                restore table\n                opponent of chooser plays\n"
+    "            replace:\n                restore table\n"
+    "                opponent of chooser plays\n"
     "            in-hand: give chooser cue ball in hand in table\n"
     "            count:\n                add 1 to misses of shooter\n                rerack\n"
 )
@@ -391,7 +393,8 @@ def test_options_and_their_consequences() -> None:
 def test_explanation_names_values_and_events() -> None:
     script = (
         'game "G" cites "B"\nphases break, open\n'
-        'fouls:\n    rule "Scratch" [3.1]: if phase is open and cue ball pocketed: foul scratch worth 4\n'
+        'fouls:\n    rule "Scratch" [3.1]: if phase is open and cue ball pocketed: '
+        "foul scratch worth 4\n"
         '    rule "Break" [4]: if phase is break and cue ball pocketed: foul other\n'
         "turn: if phase is break: go to phase open\n"
     )
