@@ -57,12 +57,3 @@ def _check(picture: Picture) -> None:
             f"a picture is (h, w) uint32 or (h, w, 3 or 4) uint8, not {picture.shape} "
             f"{picture.dtype}"
         )
-
-
-def fill_background(
-    pixels: Pixels, upper: tuple[int, int, int], lower: tuple[int, int, int]
-) -> None:
-    """Paint a shade from the upper edge of the picture to the lower one."""
-    share = np.linspace(0.0, 1.0, len(pixels))[:, None]
-    shade = np.rint(np.array(upper) * (1.0 - share) + np.array(lower) * share).astype(np.uint32)
-    pixels[...] = ((shade[:, 0] << 16) | (shade[:, 1] << 8) | shade[:, 2])[:, None]

@@ -10,6 +10,7 @@ from stands import RADIUS, TABLES, bare, draw, make_stage, scatter
 from engine.render.painter import Painter
 from engine.render.renderer import RENDERERS, make_renderer
 from engine.render.scanline import Scanline
+from engine.render.wireframe import Wireframe
 from engine.scene.camera import Camera
 from engine.scene.scene import GameObject, Scene
 from engine.scene.shape import Sphere, make_mesh
@@ -70,7 +71,7 @@ def test_a_second_picture_is_the_same_and_so_is_another_renderers(stages, name):
     assert (draw(two, scene) == first).all()
 
 
-@pytest.mark.parametrize("kind", [Painter, Scanline])
+@pytest.mark.parametrize("kind", [Wireframe, Painter, Scanline])
 def test_one_thread_and_more_give_the_same_pixels(stages, kind):
     scene = standard_scene(stages["round jaws"], "cue")
     one = draw(kind(1), scene)
