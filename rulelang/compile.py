@@ -252,8 +252,11 @@ class _Work:
     ) -> Program:
         """Put the parts together."""
         sections: dict[str, list[CompiledRule]] = {name: [] for name in SECTIONS}
+        sections["late fouls"] = []
         for compiled in with_overrides(rules):
-            sections.setdefault(compiled.info.section, []).append(compiled)
+            name = compiled.info.section
+            name = "late fouls" if compiled.late and name == "fouls" else name
+            sections.setdefault(name, []).append(compiled)
         fouls: dict[str, tuple[str, ...]] = {}
         for _, rule, _, _ in rules:
             for name in fouls_of(rule.body):

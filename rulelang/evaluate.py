@@ -98,7 +98,7 @@ def _judge(
     log: list[Any] | None = [] if explain else None
     views: list[tuple[Any, ...]] = []
     _judge_fouls(program, c, log)
-    views.append(_view(c))
+    _keep(views, c, log)
 
     fired = _section(program, c, POINTS, log)
     points = sum_points(fired, c.players)
@@ -107,7 +107,7 @@ def _judge(
     c.state = state
     if any(points):
         c.scores = tuple(a + b for a, b in zip(c.scores, points, strict=True))
-    views.append(_view(c))
+    _keep(views, c, log)
 
     fired = _section(program, c, TURN, log)
     turn = decide_turn(fired, c)
@@ -116,13 +116,13 @@ def _judge(
     c.next_player = _to_play(c, turn)
     _enter(program, c, TABLE)
     c.homes = _homes(program, c)
-    views.append(_view(c))
+    _keep(views, c, log)
 
     fired = _section(program, c, TABLE, log)
     c.state = write_state(program, fired, c.state)
     c.actions = table_actions(program, fired, c)
     _enter(program, c, NEXT_SHOT)
-    views.append(_view(c))
+    _keep(views, c, log)
 
     fired = _section(program, c, NEXT_SHOT, log)
     in_hand, offers = decide_in_hand(fired), offers_of(fired)
@@ -132,7 +132,7 @@ def _judge(
     if fired and any(d[0] == "write" for _, made in fired for d in made):
         written |= {d[2] for _, made in fired for d in made if d[0] == "write"}
     _enter(program, c, ENDING)
-    views.append(_view(c))
+    _keep(views, c, log)
 
     fired = _section(program, c, ENDING, log)
     c.state = write_state(program, fired, c.state)
@@ -267,15 +267,16 @@ def start_of(program: Program, name: str, situation: Situation) -> Tracked:
 
 def _judge_fouls(program: Program, c: Watch, log: Any) -> None:
     c.stage = FOULS
-    rules = _rules(program, "fouls", c.phase)
-    early = _fire([r for r in rules if not r.late], c)
+    early = _fire(_rules(program, "fouls", c.phase), c)
     c.fouls = _fouls(early)
     c.legal = not c.fouls
-    clear(c.memo, program.staged)
-    late = _fire([r for r in rules if r.late], c)
-    fired, beaten = _override(early + late)
+    late_rules = _rules(program, "late fouls", c.phase)
+    if late_rules:
+        clear(c.memo, program.staged)
+        early += _fire(late_rules, c)
+    fired, beaten = _override(early)
     if log is not None:
-        log.append((program.compiled["fouls"], fired, beaten))
+        log.append(((*program.compiled["fouls"], *program.compiled["late fouls"]), fired, beaten))
     c.fouls = _fouls(fired)
     c.legal = not c.fouls
     clear(c.memo, program.staged)
@@ -344,6 +345,12 @@ def _override(fired: Fired) -> tuple[Fired, dict[int, CompiledRule]]:
         settled = now.keys() == beaten.keys()
         beaten = now
     return [(rule, made) for rule, made in fired if rule.number not in beaten], beaten
+
+
+def _keep(views: list[tuple[Any, ...]], c: Watch, log: Any) -> None:
+    """Keep what the next section sees, where an explanation may ask for it."""
+    if log is not None:
+        views.append(_view(c))
 
 
 def _view(c: Watch) -> tuple[Any, ...]:

@@ -101,7 +101,11 @@ class Consequence:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A whole game's rules, compiled against one vocabulary."""
+    """A whole game's rules, compiled against one vocabulary.
+
+    `compiled` has the rules by section; rules of the fouls that speak of fouls stand under
+    "late fouls".
+    """
 
     title: str
     rulebook: str
