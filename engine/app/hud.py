@@ -1,7 +1,8 @@
 """The display round the picture: a bar above, a bar below, a column beside it.
 
 One idea: what is said comes from `words`, where it stands is decided here, and what can be
-clicked is handed back by name. Invariant: nothing of it covers the picture.
+clicked is handed back by name. Invariant: nothing of it covers the picture while
+there is something to be played.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import pygame
 from engine.app.pen import BAD, EDGE, FAINT, GOLD, GOOD, TEXT, TONES, Pen
 from engine.app.session import SHOWING, Mode
 from engine.app.stroke import FASTEST, STEEPEST
-from engine.app.words import Board, Line, board_of, player_name, spoken, verdict_lines
+from engine.app.words import Board, Line, board_of, player_name, result_words, spoken, verdict_lines
 
 if TYPE_CHECKING:
     from engine.app.controls import Box
@@ -55,6 +56,8 @@ class Hud:
         self._top(board, status)
         self._bottom(session, board)
         self._column(session, board)
+        if session.mode is Mode.OVER:
+            self._banner(session)
 
     def _top(self, board: Board, status: str) -> None:
         pen = self.pen
@@ -100,8 +103,11 @@ class Hud:
         pen.write(board.ask, (edge, top + pen.px(10)), TEXT, 19, room=room)
         second = board.note or (f"called: {board.call}" if board.call else "")
         tone = BAD if board.note else GOLD
-        pen.write(second, (edge, top + pen.px(37)), tone, 16, room=room)
-        pen.write(board.hint, (edge, top + pen.px(64)), FAINT, 14, room=room)
+        said = pen.wrap(second, room, 16)[:2]
+        if len(said) < 2:
+            pen.write(board.hint, (edge, top + pen.px(64)), FAINT, 14, room=room)
+        for place, text in enumerate(said):
+            pen.write(text, (edge, top + pen.px(37 + 25 * place)), tone, 16, room=room)
         if session.mode in (Mode.PLACING, Mode.CALLING, Mode.AIMING):
             self._gauges(session, (width - gauges, top))
 
@@ -143,6 +149,16 @@ class Hud:
             middle[1] - round(stroke.follow * radius),
         )
         pygame.draw.circle(surface, (40, 90, 190), place, max(4, radius // 6))
+
+    def _banner(self, session: Session) -> None:
+        """Say over the picture who has won."""
+        pen = self.pen
+        left, top, width, _ = self.picture_box()
+        said = result_words(session.match.situation)
+        wide = pen.width(said, 28) + pen.px(60)
+        box = (left + (width - wide) // 2, top + pen.px(24), wide, pen.px(62))
+        pen.panel(box, 225, GOLD)
+        pen.write(said, (left + width // 2, box[1] + pen.px(15)), GOLD, 28, "middle")
 
     def _column(self, session: Session, board: Board) -> None:
         """Draw the column: what is on, what may be chosen, what the referee said last."""

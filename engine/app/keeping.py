@@ -61,7 +61,13 @@ class Keeper:
             save_shot_record(path, match)
         except OSError as trouble:
             return f"the shot could not be saved: {trouble}"
-        return f"saved {path}"
+        return f"saved {_shown(path)}"
+
+
+def _shown(path: Path) -> str:
+    """Return a path as a player would write it."""
+    home = path.home()
+    return f"~/{path.relative_to(home)}" if path.is_relative_to(home) else str(path)
 
 
 def _shared(one: Match, two: Match) -> int | None:

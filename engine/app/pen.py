@@ -95,7 +95,7 @@ class Pen:
         return self._texts[key]
 
     def wrap(self, text: str, room: int, size: float = BASE) -> list[str]:
-        """Return a text as lines no wider than `room`; an indent is kept."""
+        """Return a text as lines no wider than `room`, broken at spaces; an indent is kept."""
         indent = text[: len(text) - len(text.lstrip())]
         lines: list[str] = []
         now = indent

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from engine.app.prediction import Prediction, predict
 from engine.app.session import SWING, Aid, Mode, Session
+from engine.app.turning import Turning
 from engine.game.situation import cue_ball_of
 from engine.scene.shape import Disc, Mesh, Polyline
 from engine.stage.cue import CuePose
@@ -22,12 +23,12 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from engine.physics.trace import Trace
     from engine.scene.camera import Camera, Vector
     from engine.scene.scene import Scene
     from engine.stage.stage import Stage
     from engine.table.furniture import BallId
 
+FACING = facing()
 GOLD = (250, 196, 70)
 WHITE = (240, 240, 240)
 BLUE = (110, 170, 255)
@@ -40,15 +41,14 @@ class Showing:
     """Turns sessions into scenes; keeps how the balls lie turned from stroke to stroke."""
 
     stage: Stage
-    _turned: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
+    _before: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
     _settled: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
-    _trace: Trace | None = None
+    _turning: Turning | None = None
     _asked: object = None
     _answer: Prediction | None = None
 
     def scene(self, session: Session, camera: Camera) -> Scene:
         """Return the scene of a session at this moment."""
-        self._keep_turns(session)
         aids, discs = self._marks(session)
         return self.stage.scene(
             self.places(session),
@@ -73,24 +73,21 @@ class Showing:
             lying = dict(session.match.situation.rest.positions)
         return {ball: (x, y, radii[ball]) for ball, (x, y) in lying.items()}
 
-    def _keep_turns(self, session: Session) -> None:
-        """Take up a new trace: its end is how the balls lie turned from then on."""
-        if session.trace is self._trace or session.trace is None:
-            return
-        self._turned = dict(self._settled)
-        self._trace = session.trace
-        ends = session.trace.orientations([session.trace.duration])[0]
-        for ball, end in zip(session.trace.balls, ends, strict=True):
-            self._settled[ball.id] = end @ self._turned.get(ball.id, facing())
-
     def _orientations(self, session: Session) -> dict[BallId, NDArray[np.float64]]:
-        if not session.is_showing or session.trace is None:
+        """Return how every ball lies turned now; the end of a stroke is kept for the next."""
+        trace = session.trace
+        if not session.is_showing or trace is None:
             return self._settled
-        now = session.trace.orientations([max(session.clock, 0.0)])[0]
-        return {
-            ball.id: turn @ self._turned.get(ball.id, facing())
-            for ball, turn in zip(session.trace.balls, now, strict=True)
+        if self._turning is None or self._turning.trace is not trace:
+            self._before, self._turning = dict(self._settled), Turning(trace)
+        now = self._turning.at(min(max(session.clock, 0.0), trace.duration))
+        turned = {
+            ball.id: turn @ self._before.get(ball.id, FACING)
+            for ball, turn in zip(trace.balls, now, strict=True)
         }
+        if session.clock >= trace.duration:
+            self._settled.update(turned)
+        return turned
 
     def _cue(self, session: Session) -> CuePose | None:
         if session.mode is Mode.AIMING or session.mode is Mode.CALLING:

@@ -99,7 +99,7 @@ def board_of(session: Session) -> Board:
     )
     return Board(
         title=variant.title,
-        phase=spoken(now.phase),
+        phase=", ".join([spoken(now.phase), *settings_words(now)]),
         players=tuple(player_line(variant, now, player) for player in range(1, now.players + 1)),
         on=marked,
         on_words=named_balls(variant, marked, now.on_table - {cue}),
@@ -128,6 +128,15 @@ def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLi
         player == situation.shooter and not situation.over,
         tuple(notes),
     )
+
+
+def settings_words(situation: Situation) -> list[str]:
+    """Return the house rules of a match that are a number or a name, in words."""
+    return [
+        f"{spoken(name)} {spoken(str(value))}"
+        for name, value in situation.settings.items()
+        if not isinstance(value, bool)
+    ]
 
 
 def counts_points(variant: Variant) -> bool:
@@ -258,7 +267,9 @@ def _reasons(verdict: Verdict) -> list[str]:
     return [
         f"{one.rule}{cited(one.cites)}"
         for one in verdict.explanation
-        if one.outcome == "fired" and one.said and one.section not in ("fouls", "before shot")
+        if one.outcome == "fired"
+        and one.section not in ("fouls", "before shot")
+        and any(not said.startswith(BOOKKEEPING) for said in one.said)
     ]
 
 
@@ -274,6 +285,8 @@ def next_words(variant: Variant, after: Situation) -> str:
     return f"Next: {who}{hand}"
 
 
+BOOKKEEPING = ("reset ", "set ", "add ", "nothing")
+"""How the words of a rule begin that only keeps count."""
 MARKS = {"fired": "+", "silent": "-", "overridden": "x"}
 
 
