@@ -36,7 +36,9 @@ GLEAM: Rgb = (235, 245, 235)
 def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
     """Return the lines across the bed, and the arcs of zones with a round border."""
     straight = [
-        flat_path((line.start, line.end), colour, alpha=PAINT) for line in table.lines.values()
+        flat_path((line.start, line.end), colour, alpha=PAINT)
+        for line in table.lines.values()
+        if line.drawn
     ]
     round_zones = [
         (part, zone)

@@ -153,7 +153,7 @@ def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline,
         *marks.build_lines(table, CHALK),
         *build_cushions(table, frame, _mix(look.cloth, (255, 255, 255), 0.07)),
         *build_rails(table, frame, look.rail, liner),
-        *marks.build_sights(table, frame, SIGHT),
+        *(marks.build_sights(table, frame, SIGHT) if look.sights else ()),
     )
 
 

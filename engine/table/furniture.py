@@ -77,10 +77,11 @@ class Pocket:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line across the bed from `start` to `end` (m)."""
+    """A line across the bed from `start` to `end` (m), drawn on the cloth or only thought of."""
 
     start: Point
     end: Point
+    drawn: bool = True
 
 
 @dataclass(frozen=True, slots=True)

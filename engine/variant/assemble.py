@@ -67,7 +67,9 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     if table is None:
         return None
     world = World(table, physical, _cloth(spec), _contact(spec), _rubber(spec), _cue(spec), models)
-    look = Look(spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour)
+    look = Look(
+        spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour, spec.table.sights
+    )
     return Draft(spec, world, kinds, cue_balls, rack, players, settings, look)
 
 

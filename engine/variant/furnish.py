@@ -134,7 +134,7 @@ class Surveyor:
         if start == end or not (self.on_bed(start) and self.on_bed(end)):
             self.report.add("V404", path, "the line has no length or leaves the bed")
             return None
-        return Line(start, end)
+        return Line(start, end, shape.drawn)
 
     def zones(self, lines: Mapping[LineId, Line]) -> dict[ZoneId, Zone]:
         """Return all zones; one that cannot be drawn is reported, and only its name is right."""

@@ -91,6 +91,7 @@ class LineShape(Shape):
     y: Coordinate | None = None
     start: Point | None = None
     end: Point | None = None
+    drawn: bool = True
 
 
 def _names(written: object) -> object:
@@ -142,6 +143,7 @@ class TableShape(Shape):
     rail_width: Size
     rail_colour: Rgb = (92, 51, 23)
     pocket_colour: Rgb = (12, 12, 12)
+    sights: bool = True
     rubber: Rubber
     pockets: Pockets | None = None
     spots: dict[Name, Point] = {}

@@ -79,11 +79,12 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """The table's colours."""
+    """The table's colours, and whether sights are let into the rails."""
 
     cloth: Colour
     rail: Colour
     pocket: Colour = (12, 12, 12)
+    sights: bool = True
 
 
 @dataclass(frozen=True, slots=True)
