@@ -307,7 +307,12 @@ def _place(n: Any) -> s.PlaceAt:
         case "near_own":
             return s.PlaceAt(at, "near-own", None, kids[0])
         case word:
-            kind = {"at_home": "home", "at_occupant": "occupant", "at_own": "own"}
+            kind = {
+                "at_home": "home",
+                "at_occupant": "occupant",
+                "at_own": "own",
+                "where_it_lay": "lay",
+            }
             return s.PlaceAt(at, kind.get(word, "highest-free"))
 
 

@@ -276,7 +276,7 @@ class GoToPhase:
 
 @dataclass(frozen=True, slots=True)
 class PlaceAt:
-    """One place of a `spot`: kinds at, home, occupant, own, highest-free, near, near-own."""
+    """One place of a `spot`: kinds at, home, occupant, own, highest-free, lay, near, near-own."""
 
     at: Span
     kind: str

@@ -115,6 +115,13 @@ def situation_of(
     )
 
 
+def needs_no_geometry(path: Path) -> bool:
+    """Whether a record is judged by the rules alone: no positions, no new rack."""
+    text = path.read_text(encoding="utf-8")
+    host = re.search(r"\bpositions\b|\bplace = |\brerack\b|\bstrike = ", text)
+    return host is None
+
+
 def expand(names: list[str]) -> list[str]:
     found = []
     for name in names:
@@ -153,6 +160,9 @@ def spotted(decisions: Decisions, rest: Rest, vocabulary: Vocabulary) -> list[st
     found = []
     for action in decisions.table:
         if not isinstance(action, Spot):
+            continue
+        if action.places[0].kind == "lay":
+            found.append(action.ball)
             continue
         for place in action.places:
             spot = place.spot

@@ -16,6 +16,7 @@ from rule_cases import (
     SNOOKER,
     TABLES,
     differences,
+    needs_no_geometry,
     nothing_to_use,
     pairs,
     parse_event,
@@ -454,6 +455,7 @@ RECORDS = [
     (variant, path)
     for variant in TABLES
     for path in sorted((ROOT / "tests" / "golden" / variant).rglob("*.toml"))
+    if needs_no_geometry(path)
 ]
 
 
