@@ -1,14 +1,11 @@
 """How fast the renderers are: best, median and 95th percentile of the time of a frame.
 
-`python -m tools.bench_render [--json]` draws a fixed scene, 22 balls on a twelve-foot table, into
-memory without a window; the camera moves every frame, or rests while the balls roll.
+One idea: a fixed scene, 22 balls on a twelve-foot table, is drawn into memory without a window;
+the camera moves every frame, or rests while the balls roll.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
-import sys
 from math import pi, radians
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -80,34 +77,18 @@ def measure(name: str, size: tuple[int, int], frames: int, *, resting: bool) -> 
     return times[10:]
 
 
-def main(arguments: list[str]) -> int:
-    """Print the table, or with --json one object a line of it."""
-    parser = argparse.ArgumentParser(prog="python -m tools.bench_render", description=__doc__)
-    parser.add_argument("--json", action="store_true", help="print a JSON list")
-    parser.add_argument("--frames", type=int, default=120, help="frames to measure (120)")
-    chosen = parser.parse_args(arguments)
-    rows = []
+def rows(frames: int = 120) -> Iterator[dict[str, object]]:
+    """Yield a row for every renderer, size and kind of camera; times in ms a frame."""
     for size in SIZES:
         for name in RENDERERS:
             for resting in (False, True):
-                times = measure(name, size, chosen.frames, resting=resting)
-                rows.append(
-                    {
-                        "renderer": name,
-                        "size": f"{size[0]}x{size[1]}",
-                        "camera": "rests" if resting else "moves",
-                        "best_ms": round(min(times), 2),
-                        "median_ms": round(float(np.median(times)), 2),
-                        "p95_ms": round(float(np.percentile(times, 95)), 2),
-                        "fps": round(1000.0 / float(np.median(times))),
-                    }
-                )
-                if not chosen.json:
-                    print("  ".join(f"{value:>9}" for value in rows[-1].values()), flush=True)
-    if chosen.json:
-        print(json.dumps(rows, indent=2))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+                times = measure(name, size, frames, resting=resting)
+                yield {
+                    "renderer": name,
+                    "size": f"{size[0]}x{size[1]}",
+                    "camera": "rests" if resting else "moves",
+                    "best_ms": round(min(times), 2),
+                    "median_ms": round(float(np.median(times)), 2),
+                    "p95_ms": round(float(np.percentile(times, 95)), 2),
+                    "fps": round(1000.0 / float(np.median(times))),
+                }

@@ -1,0 +1,1 @@
+"""How fast everything is, measured: `python -m tools.bench physics|rules|render [--json]`."""

@@ -1,0 +1,77 @@
+"""How fast scripts are checked and shots are judged.
+
+One idea: the shipped scripts and their golden records are the work; a verdict is timed from parsed
+events to decisions, with the explanation off and on.
+"""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from engine.game.phrases import format_event, parse_event
+from engine.game.referee import judge_shot
+from engine.records.read import read_record
+from engine.variant.load import check_variant, list_variants, load_variant
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from engine.game.shot import Shot
+    from engine.game.situation import Situation
+    from engine.variant.variant import Variant
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+ROUNDS = 15
+
+
+def rows() -> Iterator[dict[str, object]]:
+    """Yield a row for each kind of work; times in microseconds."""
+    load = cache(load_variant)
+    for game in (one.name for one in list_variants()):
+        yield _row(f"check {game}, files and script", _timed(partial(check_variant, game)), 1)
+        paths = sorted((ROOT / "tests" / "golden" / game).glob("*.toml"))
+        records = [read_record(path, load) for path in paths]
+        shots = [
+            (record.variant, record.start, record.steps[0].shot)
+            for record in records
+            if record.steps[0].shot.events
+        ]
+        for explain in (False, True):
+            name = f"judge {game}, explanation {'on' if explain else 'off'}"
+            yield _row(name, _timed(partial(_judge_all, shots, explain=explain)), len(shots))
+        texts = [format_event(event) for _, _, shot in shots for event in shot.events or ()]
+        yield _row(f"read an event of {game}", _timed(partial(_parse_all, texts)), len(texts))
+
+
+def _judge_all(shots: list[tuple[Variant, Situation, Shot]], *, explain: bool) -> None:
+    for variant, before, shot in shots:
+        judge_shot(variant, before, shot, explain=explain)
+
+
+def _parse_all(texts: list[str]) -> None:
+    for text in texts:
+        parse_event(text)
+
+
+def _timed(work: Callable[[], object]) -> list[float]:
+    times = []
+    for _ in range(ROUNDS):
+        start = perf_counter()
+        work()
+        times.append((perf_counter() - start) * 1e6)
+    return times[2:]
+
+
+def _row(name: str, times: list[float], count: int) -> dict[str, object]:
+    each = np.array(times) / count
+    return {
+        "work": name,
+        "count": count,
+        "median_us": round(float(np.median(each)), 1),
+        "p95_us": round(float(np.percentile(each, 95)), 1),
+    }
