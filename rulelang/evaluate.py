@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rulelang.closures import clear, fresh, opponent, singles
 from rulelang.decisions import (
     Admission,
     Decisions,
@@ -17,7 +18,6 @@ from rulelang.decisions import (
     Required,
 )
 from rulelang.explain import Explanation
-from rulelang.expressions import clear, fresh, opponent, singles
 from rulelang.facts import Rest, Shot
 from rulelang.program import CONSEQUENCE, SECTIONS, CompiledRule, Program
 from rulelang.settle import (

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from rulelang import code as k
+from rulelang.closures import clear, names_of
 from rulelang.decisions import RuleOutcome
-from rulelang.expressions import clear, names_of
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:

@@ -13,11 +13,24 @@ from typing import TYPE_CHECKING, Any
 from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.chance import draw
+from rulelang.closures import (
+    KIND_MENDS,
+    chain,
+    common_kind,
+    constant_name,
+    derive,
+    joined,
+    leader,
+    names_of,
+    opponent,
+    remembered,
+    singles,
+)
 from rulelang.code import Code, Mistake
+from rulelang.conditions import Conditions
 from rulelang.happenings import Happenings
 from rulelang.program import STAGE
 from rulelang.scope import nearest
-from rulelang.watch import BEGIN, END, at_cushion, lie_in, touching
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,7 +38,6 @@ if TYPE_CHECKING:
     from rulelang.scope import Scope
     from rulelang.watch import Watch
 
-_UNSET: Any = object()
 ORDINALS = {"first": 0, "second": 1, "third": 2, "last": -1}
 MOST = 10**12
 """No number of a script grows beyond this, either way."""
@@ -40,28 +52,6 @@ _ARITHMETIC: dict[str, Callable[[int, int], int]] = {
     "minus": operator.sub,
     "times": _bounded(operator.mul),
 }
-_COMPARISONS: dict[str, Callable[[int, int], bool]] = {
-    "at least": operator.ge,
-    "at most": operator.le,
-    "more than": operator.gt,
-    "fewer than": operator.lt,
-}
-
-
-def opponent(watch: Watch, player: int) -> int:
-    """Return the player who comes after `player` and is still in."""
-    out = watch.situation.eliminated
-    for step in range(1, watch.players + 1):
-        other = (player - 1 + step) % watch.players + 1
-        if other not in out:
-            return other
-    return player
-
-
-def leader(watch: Watch) -> int:
-    """Return the player with the highest score, 0 where it is shared."""
-    best = max(watch.scores)
-    return watch.scores.index(best) + 1 if watch.scores.count(best) == 1 else 0
 
 
 class Expressions:
@@ -72,6 +62,7 @@ class Expressions:
         self.source = source
         self.frozen = frozen
         self.happenings = Happenings(self)
+        self.conditions = Conditions(self)
 
     # -- kinds ---------------------------------------------------------------
 
@@ -100,7 +91,7 @@ class Expressions:
             "R301",
             node.at,
             f"{k.SPOKEN[kind]} is due here, but `{made.text}` is {k.SPOKEN[made.kind]}",
-            _KIND_MENDS.get((kind, made.kind), ""),
+            KIND_MENDS.get((kind, made.kind), ""),
         )
 
     def _as_balls(self, node: s.Expr, made: Code) -> Code:
@@ -146,10 +137,10 @@ class Expressions:
     def _name(self, node: s.Name, domain: str) -> Code:
         name, scope = node.name, self.scope
         if domain == "phase":
-            return _constant(scope.phase(name, node.at))
+            return constant_name(scope.phase(name, node.at))
         if domain == "foul":
             scope.used.add(f"foul {name}")
-            return _constant(name)
+            return constant_name(name)
         if name in scope.poisoned:
             raise Mistake("R201", node.at, "", silent=True)
         if name in scope.defines:
@@ -161,7 +152,7 @@ class Expressions:
         if name in scope.vocabulary.settings:
             return _setting(name, scope.vocabulary.settings[name])
         if domain:
-            return _constant(name)
+            return constant_name(name)
         if name in scope.bits:
             mask = scope.bits[name]
             return Code(k.BALLS, lambda _c: mask, constant=mask)
@@ -169,7 +160,7 @@ class Expressions:
         if group is not None:
             return Code(k.BALLS, lambda _c: group, constant=group)
         if name == "none":
-            return _constant(name)
+            return constant_name(name)
         raise Mistake("R201", node.at, f'"{name}" is not known here', self._mend(name))
 
     def _mend(self, name: str) -> str:
@@ -213,7 +204,7 @@ class Expressions:
         """Compile a define to a remembered value."""
         codes = [(None if c is None else self.truth(c), v) for c, v in node.cases]
         values = [self._case_value(v) for _, v in codes]
-        kind = _common(values)
+        kind = common_kind(values)
         if kind is None:
             found = " and ".join(sorted({k.SPOKEN[v.kind] for v in values}))
             raise Mistake("R301", node.at, f'the cases of "{node.name}" are {found}', "one kind")
@@ -469,343 +460,9 @@ class Expressions:
         run = who.run
         return joined(Code(k.NUMBER, lambda c: c.scores[run(c) - 1], staged=True), who)
 
-    # -- conditions ---------------------------------------------------------------
-
-    def junction(self, node: s.Junction) -> Code:
-        """Compile `and`, `or`."""
-        parts = [self.truth(part) for part in node.parts]
-        tests = tuple(part.truth for part in parts)
-        made = Code(k.FLAG, _all(tests) if node.word == "and" else _any(tests))
-        made.truth = made.run
-        made.word = node.word
-        made.parts = tuple(parts)
-        _foresee(made, parts)
-        return joined(made, *parts)
-
-    def negation(self, node: s.Not) -> Code:
-        """Compile `not`."""
-        part = self.truth(node.part)
-        test = part.truth
-        assert test is not None  # noqa: S101
-        made = Code(k.FLAG, lambda c: not test(c), word="not", parts=(part,))
-        made.truth = made.run
-        if part.within is not None:
-            within = part.within
-            made.within = lambda c, lo, hi: not within(c, lo, hi)
-        return joined(made, part)
-
-    def compare(self, node: s.Is) -> Code:
-        """Compile `A is [not] TEST`."""
-        subject = node.subject
-        if isinstance(subject, s.Quantified):
-            made = self._quantified_is(node, subject)
-        else:
-            made = self._plain_is(node, self.value(subject))
-        if node.negated and not isinstance(subject, s.Quantified):
-            run = made.run
-            made.run = lambda c: not run(c)
-            if made.phases is not None:
-                made.phases = frozenset(self.scope.phases) - made.phases
-        made.truth = made.run
-        return made
-
-    def _quantified_is(self, node: s.Is, subject: s.Quantified) -> Code:
-        base = self.want(subject.base, k.BALLS)
-        test = self._members(node, base)
-        whole, mask = base.run, test.run
-        how, count, negated = subject.how, subject.count, node.negated
-        counts = self.happenings.count
-
-        def run(c: Watch) -> bool:
-            all_of = whole(c)
-            hit = mask(c) & all_of
-            return counts(how, count, all_of & ~hit if negated else hit, all_of)
-
-        return joined(Code(k.FLAG, run, shown=base), base, test)
-
-    def _members(self, node: s.Is, base: Code) -> Code:
-        """Compile the right side as the set of balls of which it is true."""
-        test = node.test
-        frozen = self.frozen
-        match test.word:
-            case "on table":
-                return Code(k.BALLS, self.on_table())
-            case "in":
-                zone = self.scope.place("zone", test.place or "", test.at)
-                return Code(k.BALLS, lambda c: lie_in(c, zone, start=frozen))
-            case "in hand":
-                return Code(k.BALLS, self._in_hand(test))
-            case "frozen to cushion":
-                name = test.place
-                if name is not None:
-                    self.scope.place("cushion", name, test.at)
-                return Code(k.BALLS, lambda c: at_cushion(c, name, start=frozen))
-            case "touching":
-                assert test.value is not None  # noqa: S101
-                other = self.want(test.value, k.BALLS)
-                run = other.run
-                return joined(Code(k.BALLS, lambda c: touching(c, run(c), start=frozen)), other)
-            case "same" | "one of":
-                assert test.value is not None  # noqa: S101
-                return self.want(test.value, k.BALLS)
-        raise Mistake(
-            "R302", test.at, f"`{base.text}` is {k.SPOKEN[base.kind]}, not a number",
-            f"say `number of {base.text} is {test.word} ...`",
-        )  # fmt: skip
-
-    def _in_hand(self, test: s.Test) -> Callable[[Watch], int]:
-        zone = test.place
-        if zone is not None:
-            self.scope.place("zone", zone, test.at)
-        return lambda c: (
-            (c.cue or -1)
-            if c.situation.in_hand is not None and zone in (None, c.situation.in_hand)
-            else 0
-        )
-
-    def _plain_is(self, node: s.Is, left: Code) -> Code:
-        test = node.test
-        if left.kind == k.SHOT:
-            return self._shot_is(test, left)
-        if left.kind == k.SCORES:
-            return self._scores_are(test, left)
-        if left.kind == k.FOULS:
-            return self._foul_is(test, left)
-        if test.word in _COMPARISONS:
-            return self._number_is(test, left, node.subject)
-        if left.kind == k.BALLS or test.word not in ("same", "one of"):
-            return self._balls_are(node, left)
-        if test.word == "one of":
-            return self._name_is_one_of(test, left)
-        return self._equal(test, left)
-
-    def _shot_is(self, test: s.Test, left: Code) -> Code:
-        value = test.value
-        if isinstance(value, s.Name) and value.name == "legal":
-            return joined(Code(k.FLAG, lambda c: c.legal), left)
-        if isinstance(value, s.Noun) and value.words == "foul":
-            return joined(Code(k.FLAG, lambda c: not c.legal), left)
-        raise Mistake("R302", test.at, "a shot is legal or foul", "say `shot is legal`")
-
-    def _scores_are(self, test: s.Test, left: Code) -> Code:
-        if isinstance(test.value, s.Name) and test.value.name == "level":
-            return joined(Code(k.FLAG, lambda c: len(set(c.scores)) == 1), left)
-        raise Mistake("R302", test.at, "scores are level, or not", "say `scores are level`")
-
-    def _foul_is(self, test: s.Test, left: Code) -> Code:
-        value = test.value
-        names = value.items if isinstance(value, s.Listing) else (value,)
-        wanted = set()
-        for name in names:
-            if not isinstance(name, s.Name):
-                raise Mistake("R302", test.at, "a foul is known by its name", "say `foul is NAME`")
-            if name.name not in self.scope.fouls:
-                mend = nearest(name.name, self.scope.fouls) or "no rule finds this foul"
-                raise Mistake("R201", name.at, f'"{name.name}" is not a foul', mend)
-            wanted.add(name.name)
-        return joined(Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls)), left)
-
-    def _number_is(self, test: s.Test, left: Code, subject: s.Expr) -> Code:
-        if left.kind != k.NUMBER:
-            raise Mistake(
-                "R302",
-                subject.at,
-                f"`{left.text}` is {k.SPOKEN[left.kind]}, not a number",
-                f"say `number of {left.text} is {test.word} ...`" if left.kind == k.BALLS else "",
-            )
-        assert test.value is not None  # noqa: S101
-        right = self.want(test.value, k.NUMBER)
-        a, b, op = left.run, right.run, _COMPARISONS[test.word]
-        return joined(Code(k.FLAG, lambda c: op(a(c), b(c)), shown=left), left, right)
-
-    def _balls_are(self, node: s.Is, left: Code) -> Code:
-        if left.kind != k.BALLS:
-            left = self.want(node.subject, k.BALLS)
-        test, a = node.test, left.run
-        if test.word == "same" and isinstance(test.value, s.Nothing):
-            return joined(Code(k.FLAG, lambda c: a(c) == 0, shown=left), left)
-        right = self._members(node, left)
-        b = right.run
-        return joined(Code(k.FLAG, lambda c: a(c) & b(c) != 0, shown=left), left, right)
-
-    def _name_is_one_of(self, test: s.Test, left: Code) -> Code:
-        value = test.value
-        items = value.items if isinstance(value, s.Listing) else (value,)
-        codes = [self._right(item, left) for item in items if item is not None]
-        constants = [code.constant for code in codes]
-        a = left.run
-        if None not in constants:
-            table = frozenset(constants)
-            phases = table if left.word == "phase" else None
-            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left, phases=phases), left)
-        runs = [code.run for code in codes]
-        return joined(
-            Code(k.FLAG, lambda c: a(c) in [run(c) for run in runs], shown=left), left, *codes
-        )
-
-    def _equal(self, test: s.Test, left: Code) -> Code:
-        assert test.value is not None  # noqa: S101
-        right = self._right(test.value, left)
-        a, b, constant = left.run, right.run, right.constant
-        if constant is not None:
-            phases = frozenset([constant]) if left.word == "phase" else None
-            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, phases=phases), left)
-        return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left), left, right)
-
-    def _right(self, node: s.Expr, left: Code) -> Code:
-        if isinstance(node, s.Nothing) and left.kind == k.NAME:
-            return _constant("none")
-        domain = "" if left.kind != k.NAME else left.domain or "name"
-        if isinstance(node, s.Name) and domain.startswith("fact "):
-            self._check_fact_value(node, domain[5:])
-        right = self.value(node, domain)
-        if right.kind != left.kind:
-            raise Mistake(
-                "R302",
-                node.at,
-                f"`{left.text}` is {k.SPOKEN[left.kind]}, but `{right.text}` is"
-                f" {k.SPOKEN[right.kind]}: they can never be equal",
-                _KIND_MENDS.get((left.kind, right.kind), ""),
-            )
-        return right
-
-    def _check_fact_value(self, node: s.Name, fact: str) -> None:
-        allowed = self.scope.facts[fact].values
-        if allowed and node.name not in allowed:
-            listed = f"it is one of {', '.join(allowed)}"
-            raise Mistake(
-                "R306", node.at, f'"{fact}" is never "{node.name}"',
-                nearest(node.name, allowed) or listed,
-            )  # fmt: skip
-
-
-def names_of(watch: Watch, mask: int) -> frozenset[str]:
-    """Return the names of the balls in a mask."""
-    return frozenset(watch.names[bit] for bit in singles(mask))
-
-
-def singles(mask: int) -> list[int]:
-    """Return the single bits of a mask, lowest first."""
-    found = []
-    while mask:
-        one = mask & -mask
-        found.append(one)
-        mask ^= one
-    return found
-
-
-def derive(made: Code, kind: str, run: k.Run, **changes: Any) -> Code:
-    """Return a Code like `made` with another kind and closure."""
-    new = Code(
-        kind, run, since=made.since, staged=made.staged, fouls=made.fouls, text=made.text,
-        word=made.word, shown=made.shown, parts=made.parts,
-    )  # fmt: skip
-    for name, value in changes.items():
-        setattr(new, name, value)
-    return new
-
-
-def joined(made: Code, *parts: Code) -> Code:
-    """Give `made` what its parts say about when it may be read."""
-    made.since = max([made.since, *(p.since for p in parts)])
-    made.staged = made.staged or any(p.staged for p in parts)
-    made.fouls = made.fouls or any(p.fouls for p in parts)
-    return made
-
-
-def remembered(slot: int, run: k.Run) -> k.Run:
-    """Return a closure that runs once until its slot is cleared."""
-
-    def read(c: Watch) -> Any:
-        memo = c.memo
-        found = memo[slot]
-        if found is _UNSET:
-            found = memo[slot] = run(c)
-        return found
-
-    return read
-
-
-def fresh(size: int) -> list[Any]:
-    """Return an empty memory of `size` slots."""
-    return [_UNSET] * size
-
-
-def clear(memo: list[Any], slots: tuple[int, ...]) -> None:
-    """Forget what the slots hold."""
-    for slot in slots:
-        memo[slot] = _UNSET
-
-
-def chain(pairs: list[tuple[k.Run | None, k.Run]], default: Any) -> k.Run:
-    """Return a closure that takes the first case whose condition holds."""
-    if len(pairs) == 1 and pairs[0][0] is None:
-        return pairs[0][1]
-
-    def read(c: Watch) -> Any:
-        for test, run in pairs:
-            if test is None or test(c):
-                return run(c)
-        return default
-
-    return read
-
-
-def _all(tests: tuple[Any, ...]) -> k.Run:
-    if len(tests) == 2:
-        a, b = tests
-        return lambda c: a(c) and b(c)
-
-    def run(c: Watch) -> bool:
-        for test in tests:  # noqa: SIM110
-            if not test(c):
-                return False
-        return True
-
-    return run
-
-
-def _any(tests: tuple[Any, ...]) -> k.Run:
-    if len(tests) == 2:
-        a, b = tests
-        return lambda c: a(c) or b(c)
-
-    def run(c: Watch) -> bool:
-        for test in tests:  # noqa: SIM110
-            if test(c):
-                return True
-        return False
-
-    return run
-
-
-def _common(values: list[Code]) -> str | None:
-    kinds = {value.kind for value in values} - {k.NOTHING}
-    if len(kinds) <= 1:
-        return kinds.pop() if kinds else k.BALLS
-    return k.BALLS if kinds == {k.BALLS, k.NAME} else None
-
-
-def _foresee(made: Code, parts: list[Code]) -> None:
-    """Give a junction what must have happened, and in which phases it can hold."""
-    phases = [part.phases for part in parts if part.phases is not None]
-    if made.word == "and":
-        made.needs = next((part.needs for part in parts if part.needs), 0)
-        made.phases = frozenset.intersection(*phases) if phases else None
-        return
-    if all(part.needs for part in parts):
-        for part in parts:
-            made.needs |= part.needs
-    if len(phases) == len(parts):
-        made.phases = frozenset.union(*phases)
-
 
 def _row(value: Any) -> Any:
     return value
-
-
-def _constant(name: str) -> Code:
-    return Code(k.NAME, lambda _c: name, constant=name)
 
 
 def _setting(name: str, value: Any) -> Code:
@@ -909,10 +566,6 @@ _PLAYERS: dict[str, k.Run] = {
     "player by lot": lambda c: draw(c.situation.seed, c.players),
     "that player": lambda c: c.player,
 }
-_KIND_MENDS = {
-    (k.NUMBER, k.BALLS): "say `number of ...` or `value of ...`",
-    (k.PLAYER, k.BALLS): "say `shooter`, `opponent` or `next player`",
-}
 _COMPILERS: dict[type, Callable[[Expressions, Any], Code]] = {
     s.Number: _number,
     s.Flag: _flag,
@@ -935,8 +588,7 @@ _COMPILERS: dict[type, Callable[[Expressions, Any], Code]] = {
     s.Sequence: lambda x, n: x.happenings.sequence(n),
     s.Total: Expressions.total,
     s.Arithmetic: Expressions.arithmetic,
-    s.Is: Expressions.compare,
-    s.Junction: Expressions.junction,
-    s.Not: Expressions.negation,
+    s.Is: lambda x, n: x.conditions.compare(n),
+    s.Junction: lambda x, n: x.conditions.junction(n),
+    s.Not: lambda x, n: x.conditions.negation(n),
 }
-FULL = (BEGIN, END)

@@ -28,7 +28,10 @@ _GRAMMAR = Path(__file__).with_name("grammar.lark")
 
 @cache
 def _parser(folder: str | None, *, strict: bool = False) -> Lark:
-    stored: Any = False if folder is None else str(Path(folder) / "rulelang.grammar")
+    stored: Any = False
+    if folder is not None:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        stored = str(Path(folder) / "rulelang.grammar")
     return Lark(
         _GRAMMAR.read_text(encoding="utf-8"),
         parser="lalr",

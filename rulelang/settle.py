@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from rulelang.closures import singles
 from rulelang.decisions import (
     InHand,
     Offer,
@@ -19,7 +20,6 @@ from rulelang.decisions import (
     Spot,
     TableAction,
 )
-from rulelang.expressions import singles
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping

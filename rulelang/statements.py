@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.closures import leader, opponent, singles
 from rulelang.code import Code, Mistake
-from rulelang.expressions import Expressions, leader, opponent, singles
+from rulelang.expressions import Expressions
 from rulelang.program import Consequence
 from rulelang.scope import nearest
 

@@ -196,7 +196,6 @@ def _pocketed(x: _Index, number: int, event: Any) -> None:
 def _rebounded(x: _Index, number: int, event: Any) -> None:
     ball = x.bits[event.ball]
     x.gone &= ~ball
-    x.ev[RAIL].append((number, ball, event.pocket))
     x.ev[POCKETED][:] = [row for row in x.ev[POCKETED] if row[1] != ball]
     x.ev[REBOUNDED].append((number, ball, event.pocket))
     x.ev[RAIL].append((number, ball, event.pocket))

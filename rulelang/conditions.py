@@ -1,0 +1,286 @@
+"""Conditions, compiled: `and`, `or`, `not`, and everything that stands after `is`.
+
+One idea: the left side's kind decides what may stand on the right; a set of balls is compared
+by its members. Invariant: a condition's closure returns a bool.
+"""
+
+from __future__ import annotations
+
+import operator
+from typing import TYPE_CHECKING, Any
+
+from rulelang import code as k
+from rulelang import syntax as s
+from rulelang.closures import KIND_MENDS, constant_name, joined
+from rulelang.code import Code, Mistake
+from rulelang.scope import nearest
+from rulelang.watch import at_cushion, lie_in, touching
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rulelang.expressions import Expressions
+    from rulelang.watch import Watch
+
+_COMPARISONS: dict[str, Callable[[int, int], bool]] = {
+    "at least": operator.ge,
+    "at most": operator.le,
+    "more than": operator.gt,
+    "fewer than": operator.lt,
+}
+
+
+class Conditions:
+    """Compiles the conditions of one Expressions."""
+
+    def __init__(self, expressions: Expressions) -> None:
+        self.x = expressions
+
+    def junction(self, node: s.Junction) -> Code:
+        """Compile `and`, `or`."""
+        parts = [self.x.truth(part) for part in node.parts]
+        tests = tuple(part.truth for part in parts)
+        made = Code(k.FLAG, _all(tests) if node.word == "and" else _any(tests))
+        made.truth = made.run
+        made.word = node.word
+        made.parts = tuple(parts)
+        _foresee(made, parts)
+        return joined(made, *parts)
+
+    def negation(self, node: s.Not) -> Code:
+        """Compile `not`."""
+        part = self.x.truth(node.part)
+        test = part.truth
+        assert test is not None  # noqa: S101
+        made = Code(k.FLAG, lambda c: not test(c), word="not", parts=(part,))
+        made.truth = made.run
+        if part.within is not None:
+            within = part.within
+            made.within = lambda c, lo, hi: not within(c, lo, hi)
+        return joined(made, part)
+
+    def compare(self, node: s.Is) -> Code:
+        """Compile `A is [not] TEST`."""
+        subject = node.subject
+        if isinstance(subject, s.Quantified):
+            made = self._quantified_is(node, subject)
+        else:
+            made = self._plain_is(node, self.x.value(subject))
+        if node.negated and not isinstance(subject, s.Quantified):
+            run = made.run
+            made.run = lambda c: not run(c)
+            if made.phases is not None:
+                made.phases = frozenset(self.x.scope.phases) - made.phases
+        made.truth = made.run
+        return made
+
+    def _quantified_is(self, node: s.Is, subject: s.Quantified) -> Code:
+        base = self.x.want(subject.base, k.BALLS)
+        test = self._members(node, base)
+        whole, mask = base.run, test.run
+        how, count, negated = subject.how, subject.count, node.negated
+        counts = self.x.happenings.count
+
+        def run(c: Watch) -> bool:
+            all_of = whole(c)
+            hit = mask(c) & all_of
+            return counts(how, count, all_of & ~hit if negated else hit, all_of)
+
+        return joined(Code(k.FLAG, run, shown=base), base, test)
+
+    def _members(self, node: s.Is, base: Code) -> Code:
+        """Compile the right side as the set of balls of which it is true."""
+        test = node.test
+        frozen = self.x.frozen
+        match test.word:
+            case "on table":
+                return Code(k.BALLS, self.x.on_table())
+            case "in":
+                zone = self.x.scope.place("zone", test.place or "", test.at)
+                return Code(k.BALLS, lambda c: lie_in(c, zone, start=frozen))
+            case "in hand":
+                return Code(k.BALLS, self._in_hand(test))
+            case "frozen to cushion":
+                name = test.place
+                if name is not None:
+                    self.x.scope.place("cushion", name, test.at)
+                return Code(k.BALLS, lambda c: at_cushion(c, name, start=frozen))
+            case "touching":
+                assert test.value is not None  # noqa: S101
+                other = self.x.want(test.value, k.BALLS)
+                run = other.run
+                return joined(Code(k.BALLS, lambda c: touching(c, run(c), start=frozen)), other)
+            case "same" | "one of":
+                assert test.value is not None  # noqa: S101
+                return self.x.want(test.value, k.BALLS)
+        raise Mistake(
+            "R302", test.at, f"`{base.text}` is {k.SPOKEN[base.kind]}, not a number",
+            f"say `number of {base.text} is {test.word} ...`",
+        )  # fmt: skip
+
+    def _in_hand(self, test: s.Test) -> Callable[[Watch], int]:
+        zone = test.place
+        if zone is not None:
+            self.x.scope.place("zone", zone, test.at)
+        return lambda c: (
+            (c.cue or -1)
+            if c.situation.in_hand is not None and zone in (None, c.situation.in_hand)
+            else 0
+        )
+
+    def _plain_is(self, node: s.Is, left: Code) -> Code:
+        test = node.test
+        if left.kind == k.SHOT:
+            return self._shot_is(test, left)
+        if left.kind == k.SCORES:
+            return self._scores_are(test, left)
+        if left.kind == k.FOULS:
+            return self._foul_is(test, left)
+        if test.word in _COMPARISONS:
+            return self._number_is(test, left, node.subject)
+        if left.kind == k.BALLS or test.word not in ("same", "one of"):
+            return self._balls_are(node, left)
+        if test.word == "one of":
+            return self._name_is_one_of(test, left)
+        return self._equal(test, left)
+
+    def _shot_is(self, test: s.Test, left: Code) -> Code:
+        value = test.value
+        if isinstance(value, s.Name) and value.name == "legal":
+            return joined(Code(k.FLAG, lambda c: c.legal), left)
+        if isinstance(value, s.Noun) and value.words == "foul":
+            return joined(Code(k.FLAG, lambda c: not c.legal), left)
+        raise Mistake("R302", test.at, "a shot is legal or foul", "say `shot is legal`")
+
+    def _scores_are(self, test: s.Test, left: Code) -> Code:
+        if isinstance(test.value, s.Name) and test.value.name == "level":
+            return joined(Code(k.FLAG, lambda c: len(set(c.scores)) == 1), left)
+        raise Mistake("R302", test.at, "scores are level, or not", "say `scores are level`")
+
+    def _foul_is(self, test: s.Test, left: Code) -> Code:
+        value = test.value
+        names = value.items if isinstance(value, s.Listing) else (value,)
+        wanted = set()
+        for name in names:
+            if not isinstance(name, s.Name):
+                raise Mistake("R302", test.at, "a foul is known by its name", "say `foul is NAME`")
+            if name.name not in self.x.scope.fouls:
+                mend = nearest(name.name, self.x.scope.fouls) or "no rule finds this foul"
+                raise Mistake("R201", name.at, f'"{name.name}" is not a foul', mend)
+            wanted.add(name.name)
+        return joined(Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls)), left)
+
+    def _number_is(self, test: s.Test, left: Code, subject: s.Expr) -> Code:
+        if left.kind != k.NUMBER:
+            raise Mistake(
+                "R302",
+                subject.at,
+                f"`{left.text}` is {k.SPOKEN[left.kind]}, not a number",
+                f"say `number of {left.text} is {test.word} ...`" if left.kind == k.BALLS else "",
+            )
+        assert test.value is not None  # noqa: S101
+        right = self.x.want(test.value, k.NUMBER)
+        a, b, op = left.run, right.run, _COMPARISONS[test.word]
+        return joined(Code(k.FLAG, lambda c: op(a(c), b(c)), shown=left), left, right)
+
+    def _balls_are(self, node: s.Is, left: Code) -> Code:
+        if left.kind != k.BALLS:
+            left = self.x.want(node.subject, k.BALLS)
+        test, a = node.test, left.run
+        if test.word == "same" and isinstance(test.value, s.Nothing):
+            return joined(Code(k.FLAG, lambda c: a(c) == 0, shown=left), left)
+        right = self._members(node, left)
+        b = right.run
+        return joined(Code(k.FLAG, lambda c: a(c) & b(c) != 0, shown=left), left, right)
+
+    def _name_is_one_of(self, test: s.Test, left: Code) -> Code:
+        value = test.value
+        items = value.items if isinstance(value, s.Listing) else (value,)
+        codes = [self._right(item, left) for item in items if item is not None]
+        constants = [code.constant for code in codes]
+        a = left.run
+        if None not in constants:
+            table = frozenset(constants)
+            phases = table if left.word == "phase" else None
+            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left, phases=phases), left)
+        runs = [code.run for code in codes]
+        return joined(
+            Code(k.FLAG, lambda c: a(c) in [run(c) for run in runs], shown=left), left, *codes
+        )
+
+    def _equal(self, test: s.Test, left: Code) -> Code:
+        assert test.value is not None  # noqa: S101
+        right = self._right(test.value, left)
+        a, b, constant = left.run, right.run, right.constant
+        if constant is not None:
+            phases = frozenset([constant]) if left.word == "phase" else None
+            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, phases=phases), left)
+        return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left), left, right)
+
+    def _right(self, node: s.Expr, left: Code) -> Code:
+        if isinstance(node, s.Nothing) and left.kind == k.NAME:
+            return constant_name("none")
+        domain = "" if left.kind != k.NAME else left.domain or "name"
+        if isinstance(node, s.Name) and domain.startswith("fact "):
+            self._check_fact_value(node, domain[5:])
+        right = self.x.value(node, domain)
+        if right.kind != left.kind:
+            raise Mistake(
+                "R302",
+                node.at,
+                f"`{left.text}` is {k.SPOKEN[left.kind]}, but `{right.text}` is"
+                f" {k.SPOKEN[right.kind]}: they can never be equal",
+                KIND_MENDS.get((left.kind, right.kind), ""),
+            )
+        return right
+
+    def _check_fact_value(self, node: s.Name, fact: str) -> None:
+        allowed = self.x.scope.facts[fact].values
+        if allowed and node.name not in allowed:
+            listed = f"it is one of {', '.join(allowed)}"
+            raise Mistake(
+                "R306", node.at, f'"{fact}" is never "{node.name}"',
+                nearest(node.name, allowed) or listed,
+            )  # fmt: skip
+
+
+def _foresee(made: Code, parts: list[Code]) -> None:
+    """Give a junction what must have happened, and in which phases it can hold."""
+    phases = [part.phases for part in parts if part.phases is not None]
+    if made.word == "and":
+        made.needs = next((part.needs for part in parts if part.needs), 0)
+        made.phases = frozenset.intersection(*phases) if phases else None
+        return
+    if all(part.needs for part in parts):
+        for part in parts:
+            made.needs |= part.needs
+    if len(phases) == len(parts):
+        made.phases = frozenset.union(*phases)
+
+
+def _all(tests: tuple[Any, ...]) -> k.Run:
+    if len(tests) == 2:
+        a, b = tests
+        return lambda c: a(c) and b(c)
+
+    def run(c: Watch) -> bool:
+        for test in tests:  # noqa: SIM110
+            if not test(c):
+                return False
+        return True
+
+    return run
+
+
+def _any(tests: tuple[Any, ...]) -> k.Run:
+    if len(tests) == 2:
+        a, b = tests
+        return lambda c: a(c) or b(c)
+
+    def run(c: Watch) -> bool:
+        for test in tests:  # noqa: SIM110
+            if test(c):
+                return True
+        return False
+
+    return run
