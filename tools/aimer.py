@@ -163,7 +163,7 @@ def _contacts(session: Session) -> list[tuple[float, float]]:
     ]
 
 
-def _targets(session: Session) -> frozenset[BallId]:
+def _targets(session: Session) -> frozenset[str]:
     others = frozenset(session.layout) - {session.cue_ball}
     return (session.admission.on & others) or others
 

@@ -37,6 +37,7 @@ class Player:
     out: Path
     lot: Random
     most: int = 400
+    tries: int = 140
     fouls_at: tuple[int, ...] = FOULS_AT
     log: list[str] = field(default_factory=list)
     pictures: list[Path] = field(default_factory=list)
@@ -132,7 +133,7 @@ class Player:
 
     def _think(self, loop: Loop) -> Plan:
         foul = self.strokes + 1 in self.fouls_at
-        return find_plan(loop.session, self.lot, foul=foul)
+        return find_plan(loop.session, self.lot, self.tries, foul=foul)
 
     def _strike(self, loop: Loop) -> Iterator[None]:
         plan, self.plan = self.plan or self._think(loop), None

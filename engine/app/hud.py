@@ -102,12 +102,11 @@ class Hud:
         edge = pen.px(14)
         pen.write(board.ask, (edge, top + pen.px(10)), TEXT, 19, room=room)
         second = board.note or (f"called: {board.call}" if board.call else "")
-        tone = BAD if board.note else GOLD
         said = pen.wrap(second, room, 16)[:2]
         if len(said) < 2:
             pen.write(board.hint, (edge, top + pen.px(64)), FAINT, 14, room=room)
         for place, text in enumerate(said):
-            pen.write(text, (edge, top + pen.px(37 + 25 * place)), tone, 16, room=room)
+            pen.write(text, (edge, top + pen.px(37 + 25 * place)), GOLD, 16, room=room)
         if session.mode in (Mode.PLACING, Mode.CALLING, Mode.AIMING):
             self._gauges(session, (width - gauges, top))
 

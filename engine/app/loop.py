@@ -140,9 +140,13 @@ class Loop:
             self.scroll = 0
 
     def _set(self, session: Session) -> None:
-        if session.match is not self.session.match:
+        before, self.session = self.session, session
+        if session.match is before.match:
+            return
+        try:
             self.keeper.follow(session.match)
-        self.session = session
+        except OSError as trouble:
+            self._note(f"the journal cannot be written: {trouble}")
 
     def _answer(self, ask: Ask) -> None:
         match ask.action:
@@ -199,5 +203,8 @@ class Loop:
         pen.write(title, (middle[0], middle[1] - pen.px(90)), TEXT, 34, "middle")
         saying = self.startup.saying
         pen.write(saying, (middle[0], middle[1] - pen.px(20)), FAINT, 17, "middle")
+        if self.startup.is_first:
+            first = "first start: this is done once and takes about half a minute"
+            pen.write(first, (middle[0], middle[1] + pen.px(44)), FAINT, 14, "middle")
         box = middle[0] - pen.px(160), middle[1] + pen.px(14), pen.px(320), pen.px(10)
         pen.bar(box, self.startup.share, GOLD)

@@ -6,6 +6,7 @@ nobody sees a traceback for a mistake of his own.
 
 from __future__ import annotations
 
+import os
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
@@ -159,6 +160,7 @@ def run(
     each: Callable[[Loop], None] | None = None,
 ) -> None:
     """Open a window and play a match in it; raises PlayError where none can be opened."""
+    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     from engine.app.window import NoWindowError, close_window, open_window  # noqa: PLC0415
 
     try:

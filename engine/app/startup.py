@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from threading import Thread
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from engine.render.renderer import RENDERERS, make_renderer
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from engine.render.renderer import Renderer
+
+LONG = 2.0
+"""Seconds after which a start is no longer one that finds everything ready."""
 
 
 @dataclass(slots=True)
@@ -28,12 +32,18 @@ class Startup:
     playable: bool = False
     renderers: dict[str, Renderer] = field(default_factory=dict)
     trouble: BaseException | None = None
+    began: float = field(default_factory=monotonic)
     _thread: Thread | None = None
 
     def begin(self) -> None:
         """Start preparing."""
         self._thread = Thread(target=self._run, name="preparing", daemon=True)
         self._thread.start()
+
+    @property
+    def is_first(self) -> bool:
+        """Whether this takes so long that it must be the first start of an installation."""
+        return monotonic() - self.began > LONG
 
     def join(self) -> None:
         """Wait until everything is ready."""
@@ -50,9 +60,9 @@ class Startup:
         from engine.physics.simulate import warm_up  # noqa: PLC0415  numba is slow to import
 
         self._warm("wireframe", 0.0, 0.2)
-        self.saying, self.share = "first start: preparing the physics (once per installation)", 0.2
+        self.saying, self.share = "preparing the physics ...", 0.2
         warm_up(None)
-        self.share = 0.7
+        self.share, self.playable = 0.7, self.is_first
         rest = sorted((name for name in RENDERERS if name != "wireframe"), key=self._later)
         if self.wanted == rest[0]:
             self._warm(rest.pop(0), 0.7, 1.0)
@@ -64,7 +74,7 @@ class Startup:
         return name != self.wanted
 
     def _warm(self, name: str, start: float, end: float) -> None:
-        self.saying = f"first start: preparing the {name} renderer"
+        self.saying = f"preparing the {name} renderer ..."
         renderer = make_renderer(name)
         renderer.warm_up(self._progress(start, end))
         self.renderers[name] = renderer

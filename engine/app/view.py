@@ -54,7 +54,7 @@ def camera_of(view: View, table: Table, size: Size, ball: Point | None, heading:
         near = 1.0 / view.zoom
         return cue_camera(table, ball, heading, back=0.85 * near, height=0.42 * near**0.7)
     if view.camera == "orbit":
-        away = (1.05 * table.length + 0.35) / view.zoom
+        away = (1.22 * table.length + 0.4) / view.zoom
         return orbit_camera(table, view.azimuth, view.elevation, away)
     return _nearer(above_camera(table, size[0] / size[1]), view.zoom, ball)
 

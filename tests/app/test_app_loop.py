@@ -132,6 +132,18 @@ def test_every_shot_is_in_the_journal_before_the_next(loop, own_folders):
     assert resume(own_folders / "journal.toml", load_variant).played == ()
 
 
+def test_a_full_disk_is_told_and_the_game_goes_on(loop, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("engine.app.keeping.Keeper.follow", full)
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space")
+    assert "No space left" in loop.session.note
+    assert loop.session.mode is Mode.STRIKING
+
+
 def test_f5_saves_the_shot_as_a_record_and_says_where(loop, own_folders):
     if loop.session.mode is Mode.PLACING:
         press(loop, "return")
@@ -145,7 +157,7 @@ def test_f5_saves_the_shot_as_a_record_and_says_where(loop, own_folders):
 
 
 def test_a_scripted_player_plays_through_the_real_loop(own_folders):
-    player = Player(own_folders, Random(2), most=3, fouls_at=(2,))
+    player = Player(own_folders, Random(2), most=3, tries=12, fouls_at=(2,))
     status = play(
         "eight_ball",
         seed=5,
