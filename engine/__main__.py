@@ -34,13 +34,20 @@ def main() -> None:
 
 @main.command()
 @click.argument("variant", required=False)
-@click.option("--players", type=int, help="How many play; the game's usual number by default.")
+@click.option(
+    "--players", type=int, metavar="N", help="How many play; the game's usual number by default."
+)
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A house rule.")
 @click.option("--renderer", type=click.Choice(RENDERERS), help="What to begin with (keys 1 2 3).")
 @click.option("--size", metavar="WIDTHxHEIGHT", help="Size of the window, such as 1280x720.")
-@click.option("--rate", type=click.IntRange(1, 1000), help="Frames a second.")
-@click.option("--seed", type=int, help="Where all chance in the match comes from.")
-@click.option("--journal", type=click.Path(path_type=Path), help="Keep the match in this file.")
+@click.option("--rate", type=click.IntRange(1, 1000), metavar="N", help="Frames a second.")
+@click.option("--seed", type=int, metavar="N", help="Where all chance in the match comes from.")
+@click.option(
+    "--journal",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Keep the match in this file.",
+)
 @click.option("--resume", is_flag=True, help="Go on with the match in the journal.")
 def play(variant: str | None, **options: object) -> None:
     """Play a game in a window. F1 shows the keys."""
@@ -185,14 +192,22 @@ def explain(record: Path, *, as_json: bool, everything: bool) -> None:
 
 @main.command()
 @click.argument("variant")
-@click.option("--speed", type=float, required=True, help="Speed of the cue, m/s.")
-@click.option("--heading", type=float, default=0.0, help="Degrees from +x (head to foot).")
-@click.option("--elevation", type=float, default=0.0, help="Degrees above the bed.")
-@click.option("--side", type=float, default=0.0, help="Tip right of the centre, ball radii.")
-@click.option("--follow", type=float, default=0.0, help="Tip above the centre, ball radii.")
+@click.option("--speed", type=float, required=True, metavar="X", help="Speed of the cue, m/s.")
+@click.option(
+    "--heading", type=float, default=0.0, metavar="X", help="Degrees from +x (head to foot)."
+)
+@click.option("--elevation", type=float, default=0.0, metavar="X", help="Degrees above the bed.")
+@click.option(
+    "--side", type=float, default=0.0, metavar="X", help="Tip right of the centre, ball radii."
+)
+@click.option(
+    "--follow", type=float, default=0.0, metavar="X", help="Tip above the centre, ball radii."
+)
 @click.option("--place", nargs=2, type=float, metavar="X Y", help="Where the ball in hand goes, m.")
-@click.option("--seed", type=int, default=0, help="Decides the rack.")
-@click.option("--record", type=click.Path(path_type=Path), help="Keep the shot as a record.")
+@click.option("--seed", type=int, default=0, metavar="N", help="Decides the rack.")
+@click.option(
+    "--record", type=click.Path(path_type=Path), metavar="FILE", help="Keep the shot as a record."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def simulate(variant: str, place: tuple[float, float] | None, **options: object) -> None:
     """Play the first stroke of a game without a window: events, verdict, where the balls lie."""
@@ -206,11 +221,20 @@ def simulate(variant: str, place: tuple[float, float] | None, **options: object)
 
 @main.command()
 @click.argument("variant")
-@click.option("--renderer", type=click.Choice(RENDERERS), default="scanline", show_default=True)
-@click.option("--camera", type=click.Choice(CAMERAS), default="cue", show_default=True)
-@click.option("--size", metavar="WIDTHxHEIGHT", default="1280x720", show_default=True)
-@click.option("--seed", type=int, default=0, help="Decides the rack.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), required=True, metavar="FILE.png")
+@click.option(
+    "--renderer", type=click.Choice(RENDERERS), default="scanline", help="scanline by default."
+)
+@click.option("--camera", type=click.Choice(CAMERAS), default="cue", help="cue by default.")
+@click.option("--size", metavar="WIDTHxHEIGHT", default="1280x720", help="1280x720 by default.")
+@click.option("--seed", type=int, default=0, metavar="N", help="Decides the rack.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    required=True,
+    metavar="FILE.png",
+    help="Where the picture goes.",
+)
 def render(variant: str, renderer: str, camera: str, size: str, seed: int, output: Path) -> None:
     """Draw a game's starting position as a PNG, without a window."""
     from engine.app.picture import render_variant  # noqa: PLC0415

@@ -48,16 +48,36 @@ def script_codes() -> str:
 
 
 def commands() -> str:
-    """Return what every command says of itself."""
+    """Return what every command says of itself, its options as a table."""
     from engine.__main__ import main  # noqa: PLC0415
 
-    context = click.Context(main, info_name="python -m engine")
-    parts = []
-    for name in main.list_commands(context):
-        command = main.commands[name]
-        inner = click.Context(command, info_name=name, parent=context)
-        parts.append(f"### {name}\n\n```\n{command.get_help(inner)}\n```\n")
-    return "\n" + "\n".join(parts)
+    return "\n" + "\n".join(_command(name, main.commands[name]) for name in sorted(main.commands))
+
+
+def _command(name: str, command: click.Command) -> str:
+    words = [_argument(one) for one in command.params if isinstance(one, click.Argument)]
+    about = " ".join(line.strip() or "\n\n" for line in (command.help or "").splitlines())
+    about = re.sub(r" *\n\n *", "\n\n", about).strip()
+    text = f"### {name}\n\n`python -m engine {' '.join([name, *words])}`\n\n{about}\n"
+    options = [one for one in command.params if isinstance(one, click.Option)]
+    if not options:
+        return text
+    rows = "\n".join(f"| `{_written(one)}` | {one.help or ''} |" for one in options)
+    return f"{text}\n| option | meaning |\n|---|---|\n{rows}\n"
+
+
+def _argument(argument: click.Argument) -> str:
+    word = str(argument.name).upper() + ("..." if argument.nargs == -1 else "")
+    return word if argument.required else f"[{word}]"
+
+
+def _written(option: click.Option) -> str:
+    name = ", ".join(option.opts)
+    if option.is_flag:
+        return name
+    kind = option.type
+    choices = list(kind.choices) if isinstance(kind, click.Choice) else []
+    return f"{name} {'/'.join(map(str, choices)) or option.metavar}"
 
 
 def keys() -> str:
