@@ -151,10 +151,7 @@ class Player:
                 yield from pause(18)
                 yield from press(key)
                 self._picture(loop, f"rolling-{number}")
-            while loop.session.mode in (Mode.STRIKING, Mode.ROLLING):
-                yield
-        else:
-            yield from press("f")
+        yield from press("f")
 
     def _listen(self, loop: Loop) -> Iterator[None]:
         yield

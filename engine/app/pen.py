@@ -35,6 +35,7 @@ class Pen:
     surface: pygame.Surface
     scale: float = 1.0
     _fonts: dict[int, pygame.freetype.Font] = field(default_factory=dict)
+    _widths: dict[tuple[str, int], int] = field(default_factory=dict)
     _texts: dict[tuple[str, int, Colour], pygame.Surface] = field(default_factory=dict)
 
     def px(self, size: float) -> int:
@@ -57,7 +58,12 @@ class Pen:
 
     def width(self, text: str, size: float = BASE) -> int:
         """Return the width of a text."""
-        return int(self.font(size).get_rect(text).width)
+        key = text, self.px(size)
+        if key not in self._widths:
+            if len(self._widths) > 8 * KEPT:
+                self._widths.clear()
+            self._widths[key] = int(self.font(size).get_rect(text).width)
+        return self._widths[key]
 
     def write(
         self,

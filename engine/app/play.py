@@ -160,7 +160,7 @@ def run(
     each: Callable[[Loop], None] | None = None,
 ) -> None:
     """Open a window and play a match in it; raises PlayError where none can be opened."""
-    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "hide")
     from engine.app.window import NoWindowError, close_window, open_window  # noqa: PLC0415
 
     try:
