@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 RENDERERS = ("wireframe", "painter", "scanline")
 CAMERAS = ("cue", "above", "orbit")
+FILE = click.Path(path_type=Path)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -34,9 +35,7 @@ def main() -> None:
 
 @main.command()
 @click.argument("variant", required=False)
-@click.option(
-    "--players", type=int, metavar="N", help="How many play; the game's usual number by default."
-)
+@click.option("--players", type=int, metavar="N", help="How many play.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A house rule.")
 @click.option("--renderer", type=click.Choice(RENDERERS), help="What to begin with (keys 1 2 3).")
 @click.option("--size", metavar="WIDTHxHEIGHT", help="Size of the window, such as 1280x720.")
@@ -44,7 +43,7 @@ def main() -> None:
 @click.option("--seed", type=int, metavar="N", help="Where all chance in the match comes from.")
 @click.option(
     "--journal",
-    type=click.Path(path_type=Path),
+    type=FILE,
     metavar="FILE",
     help="Keep the match in this file.",
 )
@@ -132,7 +131,7 @@ def _tell(diagnostics: Sequence[Diagnostic], *, as_json: bool) -> None:
 
 
 @main.command()
-@click.argument("paths", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("paths", nargs=-1, required=True, type=FILE)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON list, an object a record.")
 @click.option("--update", is_flag=True, help="Rewrite expectations to what the referee says.")
 def golden(paths: Sequence[Path], *, as_json: bool, update: bool) -> None:
@@ -166,7 +165,7 @@ def _update(path: Path, outcome: object) -> None:
 
 
 @main.command()
-@click.argument("record", type=click.Path(path_type=Path))
+@click.argument("record", type=FILE)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.option("--all", "everything", is_flag=True, help="Show the rules that did not fire, too.")
 def explain(record: Path, *, as_json: bool, everything: bool) -> None:
@@ -193,21 +192,13 @@ def explain(record: Path, *, as_json: bool, everything: bool) -> None:
 @main.command()
 @click.argument("variant")
 @click.option("--speed", type=float, required=True, metavar="X", help="Speed of the cue, m/s.")
-@click.option(
-    "--heading", type=float, default=0.0, metavar="X", help="Degrees from +x (head to foot)."
-)
+@click.option("--heading", type=float, default=0.0, metavar="X", help="Degrees; 0 is to the foot.")
 @click.option("--elevation", type=float, default=0.0, metavar="X", help="Degrees above the bed.")
-@click.option(
-    "--side", type=float, default=0.0, metavar="X", help="Tip right of the centre, ball radii."
-)
-@click.option(
-    "--follow", type=float, default=0.0, metavar="X", help="Tip above the centre, ball radii."
-)
+@click.option("--side", type=float, default=0.0, metavar="X", help="Tip right of centre, radii.")
+@click.option("--follow", type=float, default=0.0, metavar="X", help="Tip above centre, radii.")
 @click.option("--place", nargs=2, type=float, metavar="X Y", help="Where the ball in hand goes, m.")
 @click.option("--seed", type=int, default=0, metavar="N", help="Decides the rack.")
-@click.option(
-    "--record", type=click.Path(path_type=Path), metavar="FILE", help="Keep the shot as a record."
-)
+@click.option("--record", type=FILE, metavar="FILE", help="Keep the shot as a record.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def simulate(variant: str, place: tuple[float, float] | None, **options: object) -> None:
     """Play the first stroke of a game without a window: events, verdict, where the balls lie."""
@@ -230,7 +221,7 @@ def simulate(variant: str, place: tuple[float, float] | None, **options: object)
 @click.option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path),
+    type=FILE,
     required=True,
     metavar="FILE.png",
     help="Where the picture goes.",
