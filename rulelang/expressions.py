@@ -261,11 +261,17 @@ class Expressions:
                 "R303", at, f'"{name}" is kept for each player', f"say `{name} of shooter`"
             )
         if who is None:
+            if self.frozen:
+                return Code(kind, lambda c: c.situation.state[name], domain=name)
             return Code(kind, lambda c: c.state[name], domain=name, staged=True)
         if not track.per_player:
             raise Mistake("R304", at, f'"{name}" is not kept for each player', f"say `{name}`")
         player = self.want(who, k.PLAYER)
         run = player.run
+        if self.frozen:
+            return joined(
+                Code(kind, lambda c: _row(c.situation.state[name])[run(c) - 1], domain=name), player
+            )
         return joined(
             Code(kind, lambda c: _row(c.state[name])[run(c) - 1], domain=name, staged=True), player
         )
@@ -458,6 +464,8 @@ class Expressions:
         """Compile `score of PLAYER`."""
         who = self.want(node.who, k.PLAYER)
         run = who.run
+        if self.frozen:
+            return joined(Code(k.NUMBER, lambda c: c.situation.scores[run(c) - 1]), who)
         return joined(Code(k.NUMBER, lambda c: c.scores[run(c) - 1], staged=True), who)
 
 
@@ -546,7 +554,9 @@ def _flag(_x: Expressions, node: s.Flag) -> Code:
     return Code(k.FLAG, lambda _c: value, constant=value)
 
 
-def _gap(_x: Expressions, _node: s.ScoreGap) -> Code:
+def _gap(x: Expressions, _node: s.ScoreGap) -> Code:
+    if x.frozen:
+        return Code(k.NUMBER, lambda c: max(c.situation.scores) - min(c.situation.scores))
     return Code(k.NUMBER, lambda c: max(c.scores) - min(c.scores), staged=True)
 
 

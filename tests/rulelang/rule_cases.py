@@ -192,27 +192,31 @@ def differences(path: Path, variant: str, program: Program | None = None) -> lis
     found: list[str] = []
     judged: tuple[Situation, Shot, Decisions] | None = None
     for told in record["shot"]:
-        decisions, rest = play(program, vocabulary, situation, told, judged)
+        shot = shot_of(vocabulary, situation, told)
+        if "choose" in told or situation.options:
+            chosen = take(program, situation, told.get("choose", "play"), judged)
+            situation = after(situation, chosen, Rest(situation.zones, situation.frozen))
+            decisions, rest = chosen, judged[1].rest if judged else Rest()
+            shot = shot_of(vocabulary, situation, told)
+        if "choose" not in told or "events" in told:
+            decisions, rest = evaluate.judge(program, situation, shot), shot.rest
+            judged = (situation, shot, decisions)
+            situation = after(situation, decisions, rest)
         for key, expected in told["expect"].items():
             got = got_of(key, decisions, rest, vocabulary)
             if normal(key, expected) != normal(key, got, expected):
                 found.append(f"{key}: expected {expected}, got {got}")
-        if "choose" not in told:
-            judged = (situation, shot_of(vocabulary, situation, told), decisions)
-            situation = after(situation, decisions, rest)
     return found
 
 
-def play(
-    program: Program, vocabulary: Vocabulary, situation: Situation, told: Any, judged: Any
-) -> tuple[Decisions, Rest]:
-    if "choose" in told and judged is not None:
-        before, shot, decisions = judged
-        key = next(o.key for o in decisions.offers if o.option == told["choose"])
-        made = evaluate.choose(program, situation, told["choose"], key, before, shot)
-        return made, shot.rest
-    shot = shot_of(vocabulary, situation, told)
-    return evaluate.judge(program, situation, shot), shot.rest
+def take(program: Program, situation: Situation, option: str, judged: Any) -> Decisions:
+    if option not in situation.options:
+        option = "play"
+    if judged is None:
+        return evaluate.choose(program, situation, option, None, None, None)
+    before, shot, decisions = judged
+    key = next((o.key for o in decisions.offers if o.option == option), None)
+    return evaluate.choose(program, situation, option, key, before, shot)
 
 
 def after(situation: Situation, decisions: Decisions, rest: Rest) -> Situation:
