@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from engine.game.aftermath import fallen, rest_after
 from engine.game.predicates import predicates_of
 from engine.game.situation import Judged, Situation, as_rules_see, cue_ball_of, zones_of
-from engine.game.spotting import Board, carry_out, lift, place_ball, starting_place
+from engine.game.spotting import Board, carry_out, covers, lift, place_ball, starting_place
 from engine.game.verdict import Verdict
 from engine.table.furniture import ZoneId
 from rulelang import facts as said
@@ -87,9 +87,8 @@ def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain
     events = shot.events or ()
     down = fallen(events, variant.program.settled_within)
     rest = rest_after(variant, before, shot, down)
-    board = carry_out(
-        variant, Board(rest, before.on_table - down), decided.table, decided.homes, before
-    )
+    board = Board(rest, before.on_table - down)
+    board = carry_out(variant, board, decided.table, decided.homes, before)
     after = _follow(variant, before, decided, board)
     after = replace(after, judged=Judged(as_rules_see(before), told, _forget(before)))
     verdict = _verdict(decided, board, after, explain=explain)
@@ -110,7 +109,7 @@ def _as_rules_hear(variant: Variant, before: Situation, shot: Shot) -> said.Shot
         rest=said.Rest(
             {ball: frozenset(zones) for ball, zones in after.zones.items()},
             after.frozen,
-            {spot: ball for spot, ball in after.covered.items()},  # noqa: C416  NewTypes to names
+            covers(variant, after),
         ),
         placed=None if placed is None else zones_of(variant.world.table, placed),
     )

@@ -49,7 +49,9 @@ def carry_out(
     before: Situation,
 ) -> Board:
     """Return the board after the actions; `before` is the situation to restore."""
-    lifted = frozenset(BallId(one.ball) for one in actions if isinstance(one, Spot))
+    lifted = frozenset(
+        BallId(one.ball) for one in actions if isinstance(one, Spot) and not _stays(one)
+    )
     board = replace(board, rest=lift(board.rest, lifted))
     for action in actions:
         match action:
@@ -102,6 +104,9 @@ def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, P
 
 def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]) -> Board:
     ball = BallId(action.ball)
+    if _stays(action):
+        put = Spotted(ball, None, on=False)
+        return replace(board, on_table=board.on_table | {ball}, spotted=(*board.spotted, put))
     covering: BallId | None = None
     for place in action.places:
         spot = _spot_of(variant, board, place, ball, covering, homes)
@@ -122,6 +127,11 @@ def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]
         on_table=board.on_table | {ball},
         spotted=(*board.spotted, Spotted(ball, None, on=False)),
     )
+
+
+def _stays(action: Spot) -> bool:
+    """Return whether the ball is put back where it lay."""
+    return any(place.kind == "lay" for place in action.places)
 
 
 def starting_place(variant: Variant, rest: Rest, ball: BallId) -> Point | None:
@@ -170,10 +180,30 @@ def coverer(variant: Variant, rest: Rest, spot: SpotId, ball: BallId) -> BallId 
     """Return the ball known to lie so that `ball` cannot be put on `spot`, or None."""
     if spot in rest.covered and rest.covered[spot] != ball:
         return rest.covered[spot]
+    radius = next(one.radius for one in variant.world.balls if one.id == ball)
+    return _in_the_way(variant, rest, spot, radius, ball)
+
+
+def covers(variant: Variant, rest: Rest) -> dict[str, str]:
+    """Return every spot that is taken, by the ball known to stand there or too near to it."""
+    owners = {kind.spot: kind.id for kind in variant.balls}
+    found: dict[str, str] = {}
+    for spot in variant.world.table.spots:
+        owner = owners.get(spot)
+        radius = next(one.radius for one in variant.world.balls if owner in (None, one.id))
+        taken = rest.covered.get(spot) or _in_the_way(variant, rest, spot, radius, owner)
+        if taken is not None:
+            found[spot] = taken
+    return found
+
+
+def _in_the_way(
+    variant: Variant, rest: Rest, spot: SpotId, radius: float, leave_out: BallId | None
+) -> BallId | None:
     x, y = variant.world.table.spots[spot]
     radii = {one.id: one.radius for one in variant.world.balls}
     for other, (u, v) in sorted(rest.positions.items()):
-        if other != ball and hypot(u - x, v - y) <= radii[other] + radii[ball]:
+        if other != leave_out and hypot(u - x, v - y) <= radii[other] + radius:
             return other
     return None
 
@@ -194,7 +224,8 @@ def _put_near(
 ) -> Board | None:
     """Return the board with the ball near the spot; None where that way has no room."""
     rest = board.rest
-    if rest.positions.keys() >= board.on_table - {ball}:
+    blocker = coverer(variant, rest, spot, ball)
+    if blocker in rest.positions or rest.positions.keys() >= board.on_table - {ball}:
         radii = {one.id: one.radius for one in variant.world.balls}
         others = [(at, radii[other]) for other, at in rest.positions.items() if other != ball]
         way = (1.0, 0.0) if toward == "foot" else (-1.0, 0.0)
