@@ -38,5 +38,4 @@ CODES = {
     "R408": "A rule of a game that cites its rulebook has no cite.",
     "R409": "A frozen define reads what only the shot decides.",
     "R410": "Two rules of one name: an override could not tell them apart.",
-    "R411": "A ball without a spot of its own is spotted on its own spot.",
 }
