@@ -52,27 +52,20 @@ class Wanted:
         )
 
 
+MAY = "may "
+"""How what is only allowed begins."""
+
+
 def wanted_of(admission: Admission, shooter: int) -> Wanted:
     """Return what `shooter` has to announce or may, from what the rules said."""
-    musts = {
-        word
-        for one in admission.required
-        if one.player == shooter
-        for word in re.split(r"[^a-z]+", one.what)
-    }
-    mays = {
-        word
-        for one in getattr(admission, "allowed", ())
-        if one.player == shooter
-        for word in re.split(r"[^a-z]+", one.what)
-    }
-    words = musts | mays
+    said = [one.what for one in admission.required if one.player == shooter]
+    words = {word for what in said for word in re.split(r"[^a-z]+", what.removeprefix(MAY))}
     return Wanted(
         ball="ball" in words,
         pocket="pocket" in words,
         safety="safety" in words,
         group="group" in words,
-        obliged=bool(musts),
+        obliged=any(not what.startswith(MAY) for what in said),
     )
 
 
