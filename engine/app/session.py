@@ -428,10 +428,21 @@ def _finish(session: Session) -> Session:
 
 
 def _replay(session: Session, pace: float) -> Session:
-    if session.trace is None or session.mode in SHOWING:
+    last = session.last_stroke
+    if last is None or session.mode in SHOWING:
         return session
+    trace = session.trace
+    if trace is None:
+        before = take_choice(session.variant, last.before, last.shot).after
+        trace = simulate_shot(session.variant, before, last.shot)
     return replace(
-        session, mode=Mode.STRIKING, clock=-SWING, pace=pace, back_to=session.mode, note=""
+        session,
+        trace=trace,
+        mode=Mode.STRIKING,
+        clock=-SWING,
+        pace=pace,
+        back_to=session.mode,
+        note="",
     )
 
 

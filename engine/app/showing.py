@@ -132,7 +132,7 @@ class Showing:
             table = session.variant.world.table
             tint = tint_zone(table.zones[session.ahead.in_hand], table, (255, 255, 255), 0.14)
             aids += [tint] if tint else []
-        if session.mode is Mode.AIMING:
+        if session.mode in (Mode.AIMING, Mode.CALLING):
             aids += self._aim(session)
         return aids, discs
 

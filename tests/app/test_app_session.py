@@ -209,6 +209,20 @@ def test_a_replay_leads_back_to_where_it_was_called(start):
     assert ended(session).mode is Mode.AIMING
 
 
+def test_a_stroke_can_be_seen_again_after_undo_and_redo(start):
+    session = ended(struck(start("eight_ball")))
+    again = do(session, commands.Undo(), commands.Redo())
+    assert again.trace is None
+    again = do(again, commands.Replay())
+    assert again.mode is Mode.STRIKING
+    assert again.trace.hash() == session.trace.hash()
+
+
+def test_before_the_first_stroke_there_is_nothing_to_see_again(start):
+    session = start("three_cushion")
+    assert do(session, commands.Replay()) == session
+
+
 def test_the_aids_come_round(start):
     session = start("three_cushion")
     seen = []
