@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from engine.variant.variant import Value, Variant
     from rulelang.diagnostics import Diagnostic
@@ -108,7 +108,7 @@ def check(variants: Sequence[str], *, as_json: bool) -> None:
     status = 0
     for name in names:
         try:
-            found += check_variant(resolve(name))
+            found += check_variant(resolve(name), _grammar_folder())
         except VariantError as error:
             found += error.diagnostics
             status = 2
@@ -144,7 +144,7 @@ def golden(paths: Sequence[Path], *, as_json: bool, update: bool) -> None:
     from engine.records.show import show_result, summary  # noqa: PLC0415
 
     results = []
-    for result in run_paths(paths):
+    for result in run_paths(paths, _loader()):
         results.append(result)
         if not as_json:
             show_result(result)
@@ -170,16 +170,13 @@ def _update(path: Path, outcome: object) -> None:
 @click.option("--all", "everything", is_flag=True, help="Show the rules that did not fire, too.")
 def explain(record: Path, *, as_json: bool, everything: bool) -> None:
     """Say what the referee decides on a recorded shot and by which rules."""
-    from functools import cache  # noqa: PLC0415
-
     from engine.records.read import read_record  # noqa: PLC0415
     from engine.records.record import RecordError  # noqa: PLC0415
     from engine.records.run import run_record  # noqa: PLC0415
     from engine.records.show import explain_json, explain_text  # noqa: PLC0415
-    from engine.variant.load import load_variant  # noqa: PLC0415
 
     try:
-        outcome = run_record(read_record(record, cache(load_variant)))
+        outcome = run_record(read_record(record, _loader()))
     except RecordError as error:
         _tell(error.diagnostics, as_json=False)
         sys.exit(2)
@@ -237,12 +234,29 @@ def render(variant: str, renderer: str, camera: str, size: str, seed: int, outpu
     click.echo(f"{output}: {loaded.title}, {renderer}, seen from {camera}")
 
 
+def _loader() -> Callable[[str], Variant]:
+    """Return a way to load variants by stem, each once."""
+    from functools import cache  # noqa: PLC0415
+
+    from engine.variant.load import load_variant  # noqa: PLC0415
+
+    folder = _grammar_folder()
+    return cache(lambda name: load_variant(name, folder))
+
+
+def _grammar_folder() -> Path:
+    """Return where the grammar of scripts is kept from run to run."""
+    from platformdirs import user_cache_path  # noqa: PLC0415
+
+    return user_cache_path("headstring")
+
+
 def _load(variant: str) -> Variant:
     from engine.variant.library import VariantError  # noqa: PLC0415
     from engine.variant.load import load_variant  # noqa: PLC0415
 
     try:
-        return load_variant(variant)
+        return load_variant(variant, _grammar_folder())
     except VariantError as error:
         _tell(error.diagnostics, as_json=False)
         sys.exit(2)

@@ -7,6 +7,7 @@ Invariant: line numbers are those of the text, whatever piece is parsed.
 
 from __future__ import annotations
 
+import os
 import re
 from functools import cache
 from pathlib import Path
@@ -26,12 +27,19 @@ if TYPE_CHECKING:
 _GRAMMAR = Path(__file__).with_name("grammar.lark")
 
 
+def _store(folder: str | None) -> Any:
+    """Return the file that keeps the grammar; False for none, or where none can be kept."""
+    if folder is None:
+        return False
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return str(Path(folder) / "rulelang.grammar") if os.access(folder, os.W_OK) else False
+
+
 @cache
 def _parser(folder: str | None, *, strict: bool = False) -> Lark:
-    stored: Any = False
-    if folder is not None:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        stored = str(Path(folder) / "rulelang.grammar")
     return Lark(
         _GRAMMAR.read_text(encoding="utf-8"),
         parser="lalr",
@@ -40,7 +48,7 @@ def _parser(folder: str | None, *, strict: bool = False) -> Lark:
         propagate_positions=True,
         maybe_placeholders=True,
         strict=strict,
-        cache=stored,
+        cache=_store(folder),
     )
 
 

@@ -41,7 +41,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tools.pictures", description=__doc__)
     parser.add_argument("--all", type=Path, metavar="DIR", help="every game, renderer and camera")
     folder = parser.parse_args().all
-    names = README
+    names: tuple[str, ...] = README
     if folder is not None:
         games = [one.name for one in list_variants()]
         names = tuple("-".join(parts) for parts in product(games, RENDERERS, CAMERAS))

@@ -6,18 +6,18 @@ One idea: each path becomes one Result; printing, JSON and the exit status are m
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from engine.records.read import read_record
 from engine.records.record import RecordError
 from engine.records.run import Outcome, run_record
-from engine.variant.load import load_variant
 from rulelang.diagnostics import Diagnostic, render
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
+
+    from engine.records.read import Load
 
 PASSED, DIFFERENT, UNUSABLE = 0, 1, 2
 
@@ -67,9 +67,8 @@ def find_records(paths: Iterable[Path]) -> Iterator[Path | Diagnostic]:
             yield Diagnostic("T001", str(path), 1, 1, "there is no such file or folder")
 
 
-def run_paths(paths: Iterable[Path]) -> Iterator[Result]:
-    """Yield the result of every record found, in order."""
-    load = cache(load_variant)
+def run_paths(paths: Iterable[Path], load: Load) -> Iterator[Result]:
+    """Yield the result of every record found, in order; `load` gives a variant by its stem."""
     for found in find_records(paths):
         if isinstance(found, Diagnostic):
             yield Result(Path(found.file), None, (found,))

@@ -68,10 +68,11 @@ class _Script:
         return read_library(name, self.home)
 
 
-def load_variant(name_or_path: str | Path) -> Variant:
+def load_variant(name_or_path: str | Path, cache: Path | None = None) -> Variant:
     """Return a variant by stem or path, checked whole, script included.
 
-    Raises VariantError, which carries every diagnostic.
+    `cache` is a folder where the grammar of scripts may be kept from run to run. Raises
+    VariantError, which carries every diagnostic.
     """
     from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
 
@@ -79,10 +80,10 @@ def load_variant(name_or_path: str | Path) -> Variant:
     draft = reading.draft
     script = _find_script(reading)
     if reading.diagnostics or draft is None or script is None:
-        raise VariantError(_in_order(reading) + _script_mistakes(draft, script))
+        raise VariantError(_in_order(reading) + _script_mistakes(draft, script, cache))
     try:
         program = compile_script(
-            script.text, str(script.path), vocabulary_of(draft), script.library
+            script.text, str(script.path), vocabulary_of(draft), script.library, cache
         )
     except ScriptError as error:
         raise VariantError(list(error.diagnostics)) from None
@@ -103,18 +104,18 @@ def load_variant(name_or_path: str | Path) -> Variant:
     )
 
 
-def check_variant(name_or_path: str | Path) -> list[Diagnostic]:
+def check_variant(name_or_path: str | Path, cache: Path | None = None) -> list[Diagnostic]:
     """Return every mistake of a variant, in its files and in its script; none raises.
 
     The script is checked as soon as the files are good enough to tell the names it may use;
-    its warnings are told too.
+    its warnings are told too. `cache` as in `load_variant`.
     """
     try:
         reading = _read(resolve(name_or_path))
     except VariantError as error:
         return list(error.diagnostics)
     script = _find_script(reading)
-    return _in_order(reading) + _script_mistakes(reading.draft, script)
+    return _in_order(reading) + _script_mistakes(reading.draft, script, cache)
 
 
 def read_draft(name_or_path: str | Path) -> tuple[Draft | None, list[Diagnostic]]:
@@ -217,10 +218,12 @@ def _find_script(reading: _Reading) -> _Script | None:
     return None
 
 
-def _script_mistakes(draft: Draft | None, script: _Script | None) -> list[Diagnostic]:
+def _script_mistakes(
+    draft: Draft | None, script: _Script | None, cache: Path | None
+) -> list[Diagnostic]:
     from rulelang.compile import check_script  # noqa: PLC0415  the parser is slow to import
 
     if draft is None or script is None:
         return []
     words = vocabulary_of(draft)
-    return list(check_script(script.text, str(script.path), words, script.library))
+    return list(check_script(script.text, str(script.path), words, script.library, cache))
