@@ -222,7 +222,10 @@ def cited(cites: Iterable[str]) -> str:
 def verdict_lines(variant: Variant, played: Played) -> list[Line]:
     """Return the referee's words on a shot."""
     verdict, after = played.verdict, played.verdict.after
-    lines = _fouls(verdict) or [Line("No foul", "good")]
+    if played.shot.is_only_choice:
+        lines = [Line(f"Chosen: {spoken(played.shot.choice or '')}", "good")]
+    else:
+        lines = _fouls(verdict) or [Line("No foul", "good")]
     lines += _happened(verdict)
     for player, points in enumerate(verdict.points, start=1):
         if points:

@@ -78,6 +78,16 @@ def test_a_lawful_shot_is_told_as_such(start):
     assert verdict_lines(session.variant, session.last)[0].text == "No foul"
 
 
+def test_a_choice_is_told_as_a_choice(start):
+    session = act(played(start("eight_ball"), 1.0), commands.Confirm())
+    index = session.match.situation.options.index("rerack-offender-breaks")
+    session = act(session, commands.Choose(index))
+    said = [line.text for line in verdict_lines(session.variant, session.last)]
+    assert said[0] == "Chosen: rerack offender breaks"
+    assert "15 balls are racked" in said
+    assert said[-1] == "Next: Player 1, cue in hand (kitchen)"
+
+
 def test_the_explanation_has_every_rule_under_its_section(start):
     session = played(start("snooker"), 1.0, turn=90.0)
     lines = explanation_lines(session.verdict.explanation)
