@@ -417,15 +417,17 @@ def _fact(n: Any) -> list[s.Declaration]:
         kind = "values" if first.data == "fact_values" else _text(first)
         values = tuple(_text(v) for v in first.children) if kind == "values" else ()
     rest = [part for part in rest if part is not None]
-    default = predicate = asked = None
+    default = predicate = asked = zone = None
     for part in rest:
         if part.data == "start_value":
             default = expression(part)
         elif part.data == "name":
             predicate = _text(part)
+        elif part.data == "asked_from":
+            zone = _text(part.children[0])
         else:
             asked = expression(part)
-    return [s.Fact(span(n), _text(name), kind, values, default, predicate, asked)]
+    return [s.Fact(span(n), _text(name), kind, values, default, predicate, asked, zone)]
 
 
 def _define(n: Any) -> list[s.Declaration]:

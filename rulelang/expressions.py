@@ -289,6 +289,9 @@ class Expressions:
         default = empty if fact.default is None or kind == k.BALLS else fact.default
         asked = None if node.asked_on is None else self._asked(name, node.asked_on, at)
         predicate = fact.predicate
+        zone = node.asked_from
+        if zone is not None:
+            self.scope.place("zone", zone, node.at)
 
         def read(c: Watch) -> Any:
             shot = c.shot
@@ -296,7 +299,7 @@ class Expressions:
             if found is None and predicate is not None and shot is not None:
                 ask = shot.predicates.get(predicate)
                 if ask is not None and asked is not None:
-                    found = ask(names_of(c, asked.run(c)), c.actions)
+                    found = ask(names_of(c, asked.run(c)), c.actions, zone)
             if found is None:
                 return default
             return masks.get(str(found), 0) if kind == k.BALLS else found

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Tracked = Value | tuple[Value, ...]
 """One value, or one per player."""
 
-Predicate = Callable[[frozenset[str], "tuple[TableAction, ...]"], "Value | None"]
+Predicate = Callable[[frozenset[str], "tuple[TableAction, ...]", str | None], "Value | None"]
 
 Nothing: Mapping[str, Value] = MappingProxyType({})
 
@@ -77,8 +77,9 @@ class Shot:
 
     `struck` is the ball the tip struck, which the script calls the cue ball. `facts` holds
     what an eye judged. `predicates` supplies, from positions, a fact that nobody stated: by the
-    predicate's name a function of the set of balls it is asked on and of the table actions
-    decided so far, None where the positions are not known. `placed` says in which zones the
+    predicate's name a function of the set of balls it is asked on, of the table actions decided
+    so far, and of the zone that a cue ball off the bed is played from; None where the positions
+    are not known. `placed` says in which zones the
     ball in hand was put, None where that is not known.
     """
 

@@ -418,7 +418,10 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """An author's fact; `kind` is "", "ball", "number", "player" or "values"."""
+    """An author's fact; `kind` is "", "ball", "number", "player" or "values".
+
+    `asked_from` is the zone that a cue ball off the bed is played from.
+    """
 
     at: Span
     name: str
@@ -427,6 +430,7 @@ class Fact:
     default: Expr | None
     predicate: str | None
     asked_on: Expr | None
+    asked_from: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from math import hypot
 from typing import TYPE_CHECKING
 
-from engine.game.sight import View, path_to, snookering_ball
+from engine.game.sight import View, path_to, snookering_balls
 from engine.game.situation import Rest, Situation, cue_ball_of
 from engine.game.spotting import Board, carry_out
 from engine.table.furniture import BallId, Places, ZoneId
@@ -34,7 +34,9 @@ def predicates_of(
 ) -> Mapping[str, Predicate]:
     """Return the predicates of one shot by the names that scripts use."""
 
-    def path(targets: frozenset[str], _done: tuple[TableAction, ...]) -> Value | None:
+    def path(
+        targets: frozenset[str], _done: tuple[TableAction, ...], _zone: str | None = None
+    ) -> Value | None:
         struck = shot.struck or cue_ball_of(variant, before.shooter)
         origin = shot.placement or before.rest.positions.get(struck)
         view = _view(variant, before.rest, before.on_table, struck, origin)
@@ -46,10 +48,15 @@ def predicates_of(
         struck = shot.struck or cue_ball_of(variant, before.shooter)
         board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
         views = list(_views(variant, board, struck, zone))
-        blockers = [snookering_ball(view, map(BallId, targets)) for view in views]
-        return blockers[0] if blockers and all(blockers) else None
+        hiding = [snookering_balls(view, map(BallId, targets)) for view in views]
+        return _one_of(hiding[0], shot.call.ball) if hiding and all(hiding) else None
 
     return {"path": path, "snookering-ball": snookering}
+
+
+def _one_of(hiding: tuple[BallId, ...], called: str | None) -> BallId:
+    """Return the ball that snookers; where no one ball does it, one that was not called."""
+    return next((ball for ball in hiding if ball != called), hiding[0])
 
 
 def _view(

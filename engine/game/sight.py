@@ -48,21 +48,25 @@ def path_to(view: View, targets: Iterable[BallId]) -> str:
 
 
 def snookering_ball(view: View, targets: Iterable[BallId]) -> BallId | None:
-    """Return the nearest ball that snookers the cue ball on every target, or None.
+    """Return the nearest ball that snookers the cue ball on every target, or None."""
+    return next(iter(snookering_balls(view, targets)), None)
+
+
+def snookering_balls(view: View, targets: Iterable[BallId]) -> tuple[BallId, ...]:
+    """Return the balls that snooker the cue ball on every target, the nearest first.
 
     The cue ball is not snookered if both edges of one target can be reached free of any ball
-    that is not a target.
+    that is not a target. Of several balls that hide one target the nearest counts (S2 R17(b));
+    more than one ball is returned where different targets are hidden by different balls (R17(c)).
     """
     wanted = frozenset(targets) & frozenset(view.others)
-    obstacles: set[BallId] = set()
+    effective: set[tuple[float, BallId]] = set()
     for ball in sorted(wanted):
-        met = {_obstacle(view, ball, side * EDGE, wanted) for side in (-1.0, 1.0)}
-        blocking = {one for one in met if one is not None}
-        if not blocking:
-            return None
-        obstacles |= blocking
-    nearest = sorted((_distance(view, ball), ball) for ball in obstacles)
-    return nearest[0][1] if nearest else None
+        met = {_obstacle(view, ball, side * EDGE, wanted) for side in (-1.0, 1.0)} - {None}
+        if not met:
+            return ()
+        effective.add(min((_distance(view, one), one) for one in met if one is not None))
+    return tuple(ball for _, ball in sorted(effective))
 
 
 def first_met(view: View, heading: float, among: Iterable[BallId] | None = None) -> BallId | None:

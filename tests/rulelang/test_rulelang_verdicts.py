@@ -185,7 +185,7 @@ def test_a_stated_fact_wins_over_its_predicate() -> None:
     )
     asked: list[frozenset[str]] = []
 
-    def snooker(balls: frozenset[str], _actions: object) -> str:
+    def snooker(balls: frozenset[str], _actions: object, _zone: object) -> str:
         asked.append(balls)
         return "8"
 
