@@ -64,7 +64,7 @@ def rest_after(variant: Variant, before: Situation, shot: Shot, down: frozenset[
     events = shot.events or ()
     stirred = moved(events) | down
     told = shot.after
-    positions = dict(told.positions) or _unmoved(before.rest.positions, stirred)
+    positions = {**_unmoved(before.rest.positions, stirred), **told.positions}
     positions = {ball: at for ball, at in positions.items() if ball not in down}
     zones = _zones_by_events(before.rest.zones, events, down)
     zones.update({ball: zones_of(variant.world.table, at) for ball, at in positions.items()})
