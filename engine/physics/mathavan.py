@@ -1,15 +1,17 @@
 """The nose model `mathavan-2010`: an impact followed along its own impulse.
 
 One idea: while the nose pushes, the ball slips or sticks at the nose and on the bed at once, so
-velocities are integrated over the normal impulse p per mass (Mathavan, Jackson & Parkin 2010);
+both slips are integrated over the normal impulse p per mass (Mathavan, Jackson & Parkin 2010);
 compression ends when the ball no longer nears, restitution when the nose has given back e^2 of
-the work it took. Friction is capped at what stops the slip, which makes sticking exact, and steps
-are Heun's. Invariant: homogeneous in speed, the ball stays on the bed, no energy is gained.
+the work it took. The rates depend on the directions of the slips alone, so a fourth-order step
+with error control is long where they hold still and short where one turns as it dies; a slip that
+has died is made zero and stays so while friction can hold it. Invariant: homogeneous in speed,
+the ball stays on the bed, no energy is gained.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,140 +34,281 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Four = tuple[float, float, float, float]
+    Five = tuple[float, float, float, float, float]
 
-STEPS = 400
-"""Steps of one compression; the error falls with the square."""
+ERROR = 1e-5
+"""Error of one step, in parts of the normal speed."""
+
+DEAD = 2e-5
+"""A slip that is none, in parts of the normal speed."""
+
+STEPS = 1000
+"""Steps after which an impact that does not end is given up; none is known."""
+
+P_RISE, P_LEVEL, P_NOSE, P_BED, P_DEAD = range(5)
+"""Sine and cosine of the nose's height, friction of nose and bed, and DEAD as a speed."""
+
+NOSE_X, NOSE_T, BED_X, BED_Y, FX, FT, TX, TY, WORK, PUSH = range(10)
+"""The state: slip at the nose, along and upwards, and on the bed; the impulses of friction at both
+so far, the nose's work and its push p. The frame is X along the nose, Y into it."""
 
 
 @njit(cache=True, error_model="numpy")
 def mathavan(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) -> None:
     """Resolve a hit on a nose in the direction (ix, iy)."""
     radius = ball[RADIUS]
-    rise = (world[G_NOSE] - radius) / radius
-    level = ball[REACH] / radius
+    rise, level = (world[G_NOSE] - radius) / radius, ball[REACH] / radius
     ax, ay = iy, -ix
-    y = np.empty(5)
-    y[0] = ball[VX] * ax + ball[VY] * ay
-    y[1] = ball[VX] * ix + ball[VY] * iy
-    y[2] = radius * (ball[WX] * ax + ball[WY] * ay)
-    y[3] = radius * (ball[WX] * ix + ball[WY] * iy)
-    y[4] = radius * ball[WZ]
-    before = _energy(y)
-    _integrate(y, rise, level, world[G_FRICTION], world[G_SLIDING], restitution)
-    after = _energy(y)
-    if after > before:
-        for k in range(5):
-            y[k] *= sqrt(before / after)
-    ball[VX], ball[VY] = y[0] * ax + y[1] * ix, y[0] * ay + y[1] * iy
-    ball[WX] = (y[2] * ax + y[3] * ix) / radius
-    ball[WY] = (y[2] * ay + y[3] * iy) / radius
-    ball[WZ] = y[4] / radius
+    along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
+    spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
+    spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
+    spin_z = radius * ball[WZ]
+    before = along**2 + into**2 + 0.4 * (spin_x**2 + spin_y**2 + spin_z**2)
+    place = (rise, level, world[G_FRICTION], world[G_SLIDING], DEAD * into)
+    y = np.zeros(10)
+    y[NOSE_X], y[NOSE_T] = along + spin_y * rise - spin_z * level, spin_x - into * rise
+    y[BED_X], y[BED_Y] = along - spin_y, into + spin_x
+    _follow(y, place, into, restitution)
+    along += y[FX] + y[TX]
+    into += y[TY] - rise * y[FT] - level * y[PUSH]
+    spin_x += 2.5 * (y[FT] + y[TY])
+    spin_y += 2.5 * (rise * y[FX] - y[TX])
+    spin_z -= 2.5 * level * y[FX]
+    after = along**2 + into**2 + 0.4 * (spin_x**2 + spin_y**2 + spin_z**2)
+    part = sqrt(before / after) if after > before else 1.0
+    into = min(into, 0.0)
+    ball[VX], ball[VY] = part * (along * ax + into * ix), part * (along * ay + into * iy)
+    ball[WX] = part * (spin_x * ax + spin_y * ix) / radius
+    ball[WY] = part * (spin_x * ay + spin_y * iy) / radius
+    ball[WZ] = part * spin_z / radius
 
 
 @njit(cache=True, error_model="numpy")
-def _copy(source: Floats, target: Floats) -> None:
-    for k in range(5):
-        target[k] = source[k]
-
-
-@njit(cache=True, error_model="numpy")
-def _energy(y: Floats) -> float:
-    return y[0] ** 2 + y[1] ** 2 + 0.4 * (y[2] ** 2 + y[3] ** 2 + y[4] ** 2)
-
-
-@njit(cache=True, error_model="numpy")
-def _integrate(
-    y: Floats, rise: float, level: float, nose: float, bed: float, restitution: float
-) -> None:
-    """Run compression and restitution; `y` is v_x, v_y and R w in the nose's frame."""
-    h = y[1] / STEPS
-    one, two, last = np.empty(5), np.empty(5), np.empty(5)
-    work, aim, returning = 0.0, 0.0, False
-    for _ in range(60 * STEPS):
-        _copy(y, last)
-        _heun(y, one, two, h, rise, level, nose, bed)
-        if not returning and y[1] <= 0.0:
-            part = last[1] / (last[1] - y[1])
-            _copy(last, y)
-            _heun(y, one, two, part * h, rise, level, nose, bed)
-            work += 0.5 * part * h * (last[1] + y[1])
-            aim, returning, work = restitution * restitution * work, True, 0.0
-            y[1] = 0.0
+def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
+    """Run compression and restitution; `speed` is the ball's into the nose."""
+    trial = np.empty(10)
+    part, goal, returning = 0.3, 0.0, False
+    for _ in range(STEPS):
+        first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
+        # a step is a part of the slips' remaining life, so that it shrinks as they do
+        life = min(speed, _life(y, first, place))
+        error = _attempt(y, first, place, part * life, trial)
+        allowed = min(ERROR * speed, 0.02 * _least(y, place[P_DEAD]))
+        ease = min(2.0, 0.8 * sqrt(sqrt(allowed / max(error, 1e-300))))
+        if error > allowed:
+            part *= max(0.2, ease)
             continue
-        done = 0.5 * h * (last[1] + y[1])
-        if returning and work - done >= aim:
-            part = _part_of_step(aim - work, last[1], y[1], h)
-            _copy(last, y)
-            _heun(y, one, two, part * h, rise, level, nose, bed)
-            return
-        work += -done if returning else done
+        over = _left(trial, place, goal, returning) <= 0.0
+        if over:
+            _arrive(y, first, place, part * life, trial, goal, speed, returning)
+        y[:] = trial
+        _still(y, place)
+        if over:
+            if returning or restitution == 0.0:
+                return
+            returning, goal = True, (1.0 - restitution * restitution) * y[WORK]
+        part = min(1.0, part * ease)
 
 
 @njit(cache=True, error_model="numpy")
-def _part_of_step(need: float, first: float, final: float, h: float) -> float:
-    """Return the part of a step in which the nose gives back `need`; v_y is linear in it."""
-    slope = final - first
-    if need <= 0.0:
-        return 0.0
-    # -h (first s + slope s^2 / 2) = need
-    inside = first * first - 2.0 * slope * need / h
-    root = sqrt(max(inside, 0.0)) - first
-    return min(2.0 * (need / h) / root, 1.0) if root > 0.0 else 1.0
+def _least(y: Floats, dead: float) -> float:
+    """Return the lesser of the slips that have not died."""
+    nose = y[NOSE_X] ** 2 + y[NOSE_T] ** 2
+    bed = y[BED_X] ** 2 + y[BED_Y] ** 2
+    nose = nose if nose > dead * dead else inf
+    bed = bed if bed > dead * dead else inf
+    return sqrt(min(nose, bed))
 
 
 @njit(cache=True, error_model="numpy")
-def _heun(
+def _into(y: Floats, place: Five) -> float:
+    """Return the speed into the nose, which both upward slips tell."""
+    return (y[BED_Y] - y[NOSE_T]) / (1.0 + place[P_RISE])
+
+
+@njit(cache=True, error_model="numpy")
+def _left(y: Floats, place: Five, goal: float, returning: bool) -> float:  # noqa: FBT001
+    """Return what is left of the phase: speed into the nose, or work to give back."""
+    return y[WORK] - goal if returning else _into(y, place)
+
+
+@njit(cache=True, error_model="numpy")
+def _arrive(
     y: Floats,
-    one: Floats,
-    two: Floats,
+    first: Four,
+    place: Five,
     h: float,
-    rise: float,
-    level: float,
-    nose: float,
-    bed: float,
+    trial: Floats,
+    goal: float,
+    speed: float,
+    returning: bool,  # noqa: FBT001  a kernel
 ) -> None:
-    if h <= 0.0:
-        return
-    _copy(y, one)
-    _step(one, h, rise, level, nose, bed)
-    _copy(one, two)
-    _step(two, h, rise, level, nose, bed)
-    for k in range(5):
-        y[k] = 0.5 * (y[k] + two[k])
+    """Fill `trial` with the state in which the phase ends, within a step h: Newton's method."""
+    low, high = 0.0, h
+    scale = speed * speed if returning else speed
+    for _ in range(50):
+        left = _left(trial, place, goal, returning)
+        if abs(left) <= 1e-10 * scale:
+            return
+        if left > 0.0:
+            low = h
+        else:
+            high = h
+        slope = _into(trial, place) if returning else (_into(trial, place) - _into(y, place)) / h
+        h -= left / slope if slope != 0.0 else 0.0
+        if not low < h < high:
+            h = 0.5 * (low + high)
+        _attempt(y, first, place, h, trial)
 
 
 @njit(cache=True, error_model="numpy")
-def _step(y: Floats, h: float, rise: float, level: float, nose: float, bed: float) -> None:
-    """Advance by the impulse h: the nose's push, its friction, and the bed's answer.
+def _drift(f: Four, place: Five) -> Four:
+    """Return how the slips change with p under the friction f."""
+    fx, ft, tx, ty = f
+    rise, level = place[P_RISE], place[P_LEVEL]
+    return (
+        3.5 * fx + (1.0 - 2.5 * rise) * tx,
+        (2.5 + rise * rise) * ft + (2.5 - rise) * ty + rise * level,
+        (1.0 - 2.5 * rise) * fx + 3.5 * tx,
+        (2.5 - rise) * ft + 3.5 * ty - level,
+    )
 
-    Where a surface slips, friction has the direction of the slip at the start, as Heun's method
-    asks; where it could stop the slip within the step, it does just that.
+
+@njit(cache=True, error_model="numpy")
+def _attempt(y: Floats, first: Four, place: Five, h: float, trial: Floats) -> float:
+    """Fill `trial` with the state after the impulse h; return an estimate of its error.
+
+    Merson's method of order four: five stages, of which `first` is the friction in the first.
     """
-    slip_x = y[0] + y[3] * rise - y[4] * level
-    slip_t = y[2] - y[1] * rise
-    ux, uy = y[0] - y[3], y[1] + y[2]
-    y[1] -= h * level
+    sx, st, ux, uy = y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y]
+    a0, a1, a2, a3 = _drift(first, place)
+    g = h / 3.0
+    f = _friction(sx + g * a0, st + g * a1, ux + g * a2, uy + g * a3, place)
+    b0, b1, b2, b3 = _drift(f, place)
+    g = h / 6.0
+    b0, b1, b2, b3 = a0 + b0, a1 + b1, a2 + b2, a3 + b3
+    f = _friction(sx + g * b0, st + g * b1, ux + g * b2, uy + g * b3, place)
+    c0, c1, c2, c3 = _drift(f, place)
+    g = h / 8.0
+    b0, b1, b2, b3 = a0 + 3.0 * c0, a1 + 3.0 * c1, a2 + 3.0 * c2, a3 + 3.0 * c3
+    third = _friction(sx + g * b0, st + g * b1, ux + g * b2, uy + g * b3, place)
+    d0, d1, d2, d3 = _drift(third, place)
+    g = h / 2.0
+    b0 = sx + g * (a0 - 3.0 * c0 + 4.0 * d0)
+    b1 = st + g * (a1 - 3.0 * c1 + 4.0 * d1)
+    b2 = ux + g * (a2 - 3.0 * c2 + 4.0 * d2)
+    b3 = uy + g * (a3 - 3.0 * c3 + 4.0 * d3)
+    last = _friction(b0, b1, b2, b3, place)
+    c0, c1, c2, c3 = _drift(last, place)
+    g = h / 6.0
+    trial[NOSE_X] = sx + g * (a0 + 4.0 * d0 + c0)
+    trial[NOSE_T] = st + g * (a1 + 4.0 * d1 + c1)
+    trial[BED_X] = ux + g * (a2 + 4.0 * d2 + c2)
+    trial[BED_Y] = uy + g * (a3 + 4.0 * d3 + c3)
+    for k in range(4):
+        trial[FX + k] = y[FX + k] + g * (first[k] + 4.0 * third[k] + last[k])
+    # Simpson's rule, with Hermite's middle
+    ends = uy - st + trial[BED_Y] - trial[NOSE_T]
+    middle = 0.5 * ends + h / 8.0 * ((a3 - a1) - (c3 - c1))
+    trial[WORK] = y[WORK] + g * (ends + 4.0 * middle) / (1.0 + place[P_RISE])
+    trial[PUSH] = y[PUSH] + h
+    nose = abs(trial[NOSE_X] - b0) + abs(trial[NOSE_T] - b1)
+    return 0.2 * (nose + abs(trial[BED_X] - b2) + abs(trial[BED_Y] - b3))
+
+
+@njit(cache=True, error_model="numpy")
+def _life(y: Floats, friction: Four, place: Five) -> float:
+    """Return the impulse after which the first of the slips that lessen would be gone."""
+    dead = place[P_DEAD]
+    sx, st, ux, uy = _drift(friction, place)
+    nose = _ceases(y[NOSE_X], y[NOSE_T], sx, st, dead)
+    return min(nose, _ceases(y[BED_X], y[BED_Y], ux, uy, dead))
+
+
+@njit(cache=True, error_model="numpy")
+def _ceases(x: float, y: float, dx: float, dy: float, dead: float) -> float:
+    square, slope = x * x + y * y, x * dx + y * dy
+    return -square / slope if slope < 0.0 and square > dead * dead else inf
+
+
+@njit(cache=True, error_model="numpy")
+def _still(y: Floats, place: Five) -> None:
+    """Make a slip that has died exactly zero, as its friction would have within no time."""
+    rise, dead = place[P_RISE], place[P_DEAD]
+    if y[BED_X] ** 2 + y[BED_Y] ** 2 <= dead * dead:
+        tx, ty = -y[BED_X] / 3.5, -y[BED_Y] / 3.5
+        y[TX] += tx
+        y[TY] += ty
+        y[NOSE_X] += (1.0 - 2.5 * rise) * tx
+        y[NOSE_T] += (2.5 - rise) * ty
+        y[BED_X] = y[BED_Y] = 0.0
+    if y[NOSE_X] ** 2 + y[NOSE_T] ** 2 <= dead * dead:
+        fx, ft = -y[NOSE_X] / 3.5, -y[NOSE_T] / (2.5 + rise * rise)
+        y[FX] += fx
+        y[FT] += ft
+        y[BED_X] += (1.0 - 2.5 * rise) * fx
+        y[BED_Y] += (2.5 - rise) * ft
+        y[NOSE_X] = y[NOSE_T] = 0.0
+
+
+@njit(cache=True, error_model="numpy")
+def _friction(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
+    """Return the friction per p at the nose, along and upwards, and on the bed."""
+    slip, slide = sx * sx + st * st, ux * ux + uy * uy
+    dead = place[P_DEAD] * place[P_DEAD]
+    if slip <= dead or slide <= dead:
+        return _hold(sx, st, ux, uy, place)
+    part = -place[P_NOSE] / sqrt(slip)
+    fx, ft = part * sx, part * st
+    part = -place[P_BED] * max(0.0, place[P_RISE] - ft * place[P_LEVEL]) / sqrt(slide)
+    return fx, ft, part * ux, part * uy
+
+
+@njit(cache=True, error_model="numpy")
+def _within(x: float, y: float, size: float) -> tuple[float, float]:
+    """Return (x, y), or where it is longer than `size`, its part of that length."""
+    square = x * x + y * y
+    if square <= size * size:
+        return x, y
+    part = size / sqrt(square)
+    return part * x, part * y
+
+
+@njit(cache=True, error_model="numpy")
+def _hold(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
+    """Return the friction where a slip is zero.
+
+    It holds the slip if it can; if not, it opposes the slip that begins: both are the fixed point
+    of a projection onto what friction can do.
+    """
+    rise, level, bed = place[P_RISE], place[P_LEVEL], place[P_BED]
+    slip, slide = sqrt(sx * sx + st * st), sqrt(ux * ux + uy * uy)
+    slips, slides = slip > place[P_DEAD], slide > place[P_DEAD]
     fx = ft = tx = ty = 0.0
-    slip, slide = sqrt(slip_x * slip_x + slip_t * slip_t), sqrt(ux * ux + uy * uy)
-    for _ in range(4):
-        fx = -(y[0] + tx + (y[3] - 2.5 * tx) * rise - y[4] * level) / 3.5
-        ft = -(y[2] + 2.5 * ty - (y[1] + ty) * rise) / (2.5 + rise * rise)
-        size = sqrt(fx * fx + ft * ft)
-        if size > nose * h:
-            part = nose * h / (slip if slip > 0.0 else size)
-            fx, ft = (-part * slip_x, -part * slip_t) if slip > 0.0 else (part * fx, part * ft)
-        pressed = bed * max(0.0, h * rise - ft * level)
-        tx = -(y[0] + fx - y[3] - 2.5 * rise * fx) / 3.5
-        ty = -(y[1] - rise * ft + y[2] + 2.5 * ft) / 3.5
-        size = sqrt(tx * tx + ty * ty)
-        if size > pressed:
-            part = pressed / (slide if slide > 0.0 else size)
-            tx, ty = (-part * ux, -part * uy) if slide > 0.0 else (part * tx, part * ty)
-    y[0] += fx + tx
-    y[1] += ty - rise * ft
-    y[2] += 2.5 * (ft + ty)
-    y[3] += 2.5 * (rise * fx - tx)
-    y[4] -= 2.5 * level * fx
+    if slips:
+        fx, ft = -place[P_NOSE] * sx / slip, -place[P_NOSE] * st / slip
+    elif slides:
+        # were it to hold, the bed's push would follow from its own lift
+        part = (2.5 - rise) * bed * uy / slide
+        ft = (part - level) * rise / (2.5 + rise * rise + part * level)
+        fx = (1.0 - 2.5 * rise) * bed * (rise - ft * level) * ux / slide / 3.5
+        fx, ft = _within(fx, ft, place[P_NOSE])
+    for _ in range(60):
+        old_x, old_t = fx, ft
+        pressed = bed * max(0.0, rise - ft * level)
+        if slides:
+            tx, ty = -pressed * ux / slide, -pressed * uy / slide
+        else:
+            _, _, dx, dy = _drift((fx, ft, 0.0, 0.0), place)
+            tx, ty = _within(-dx / 3.5, -dy / 3.5, pressed)
+        if slips:
+            break
+        dx, dt, _, _ = _drift((fx, ft, tx, ty), place)
+        fx, ft = _within(fx - dx / 3.5, ft - dt / 3.5, place[P_NOSE])
+        if abs(fx - old_x) + abs(ft - old_t) <= 1e-12:
+            break
+    return fx, ft, tx, ty
 
 
 __all__ = ["mathavan"]
