@@ -65,6 +65,11 @@ def spoken(name: str) -> str:
     return name.replace("-", " ")
 
 
+def ball_name(variant: Variant, ball: str) -> str:
+    """Return what a ball is called; the one cue ball of a game is "cue ball"."""
+    return "cue ball" if variant.cue_balls == (ball,) else spoken(ball)
+
+
 def player_name(player: int) -> str:
     """Return what a player is called."""
     return f"Player {player}"
@@ -152,7 +157,8 @@ def asked(session: Session) -> str:
             return f"{who}: choose"
         case Mode.PLACING:
             zone = spoken(session.ahead.in_hand or "")
-            return f"{who}: ball in hand ({zone}) - place the {spoken(session.cue_ball)}"
+            ball = ball_name(session.variant, session.cue_ball)
+            return f"{who}: ball in hand ({zone}) - place the {ball}"
         case Mode.CALLING:
             return f"{who}: call {session.wanted.in_words}"
         case Mode.AIMING:
@@ -226,12 +232,12 @@ def verdict_lines(variant: Variant, played: Played) -> list[Line]:
         lines = [Line(f"Chosen: {spoken(played.shot.choice or '')}", "good")]
     else:
         lines = _fouls(verdict) or [Line("No foul", "good")]
-    lines += _happened(verdict)
+    lines += _happened(variant, verdict)
     for player, points in enumerate(verdict.points, start=1):
         if points:
             said = f"{player_name(player)}: {points:+d} {'point' if abs(points) == 1 else 'points'}"
             lines.append(Line(said, "head"))
-    lines += _put_back(verdict)
+    lines += _put_back(variant, verdict)
     lines += [Line(one, "faint") for one in _reasons(verdict)]
     lines.append(Line(next_words(variant, after), "head"))
     return lines
@@ -247,19 +253,19 @@ def _fouls(verdict: Verdict) -> list[Line]:
     return lines
 
 
-def _happened(verdict: Verdict) -> list[Line]:
+def _happened(variant: Variant, verdict: Verdict) -> list[Line]:
     lines = []
     for event in verdict.events:
         if isinstance(event, Pocketed):
-            lines.append(Line(f"{spoken(event.ball)} pocketed {spoken(event.pocket)}"))
+            lines.append(Line(f"{ball_name(variant, event.ball)} pocketed {spoken(event.pocket)}"))
         elif isinstance(event, LeftTable):
-            lines.append(Line(f"{spoken(event.ball)} left the table"))
+            lines.append(Line(f"{ball_name(variant, event.ball)} left the table"))
     return lines
 
 
-def _put_back(verdict: Verdict) -> list[Line]:
-    lines = [Line(f"{spoken(one.ball)} back {_where(one)}") for one in verdict.spotted]
-    lines += [Line(f"{spoken(ball)} stays off the table") for ball in verdict.removed]
+def _put_back(variant: Variant, verdict: Verdict) -> list[Line]:
+    lines = [Line(f"{ball_name(variant, one.ball)} back {_where(one)}") for one in verdict.spotted]
+    lines += [Line(f"{ball_name(variant, ball)} stays off the table") for ball in verdict.removed]
     if verdict.reracked:
         lines.append(Line(f"{verdict.reracked} balls are racked"))
     return lines
@@ -283,7 +289,7 @@ def next_words(variant: Variant, after: Situation) -> str:
     who = player_name(after.shooter)
     if after.offers:
         return f"{who} chooses: {', '.join(spoken(one) for one in after.options)}"
-    ball = spoken(cue_ball_of(variant, after.shooter))
+    ball = ball_name(variant, cue_ball_of(variant, after.shooter))
     hand = f", {ball} in hand ({spoken(after.in_hand)})" if after.in_hand else ""
     return f"Next: {who}{hand}"
 

@@ -85,7 +85,7 @@ def test_a_choice_is_told_as_a_choice(start):
     said = [line.text for line in verdict_lines(session.variant, session.last)]
     assert said[0] == "Chosen: rerack offender breaks"
     assert "15 balls are racked" in said
-    assert said[-1] == "Next: Player 1, cue in hand (kitchen)"
+    assert said[-1] == "Next: Player 1, cue ball in hand (kitchen)"
 
 
 def test_the_explanation_has_every_rule_under_its_section(start):
@@ -134,7 +134,10 @@ def test_the_result_in_words(start, winner, match_over, said):
 
 def test_who_is_next_is_told_with_the_ball_in_hand(start):
     session = start("snooker")
-    assert next_words(session.variant, session.match.situation) == "Next: Player 1, cue in hand (d)"
+    assert (
+        next_words(session.variant, session.match.situation)
+        == "Next: Player 1, cue ball in hand (d)"
+    )
 
 
 def test_hyphens_are_read_as_spaces():
