@@ -46,7 +46,10 @@ def summary(results: Sequence[Result]) -> str:
 
 def explain_text(outcome: Outcome, *, everything: bool = False) -> str:
     """Return what the referee says on each shot of a record, rule by rule."""
-    lines = [outcome.record.title]
+    rulebook = outcome.record.variant.program.rulebook
+    lines = (
+        [outcome.record.title, f"Sections of: {rulebook}"] if rulebook else [outcome.record.title]
+    )
     for number, judged in enumerate(outcome.judgements, 1):
         lines += ["", f"Shot {number}, player {judged.before.shooter}"]
         lines += _events(judged)
@@ -95,6 +98,7 @@ def explain_json(outcome: Outcome) -> dict[str, object]:
     """Return the same as plain values for JSON."""
     return {
         "title": outcome.record.title,
+        "rulebook": outcome.record.variant.program.rulebook,
         "passed": outcome.passed,
         "shots": [
             {

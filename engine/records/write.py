@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from engine.game.match import Match, Played
     from engine.game.shot import Shot
     from engine.game.situation import Situation
+    from engine.game.verdict import Verdict
     from engine.table.furniture import BallId, Point
     from engine.variant.variant import Variant
     from rulelang.facts import Call
@@ -37,18 +38,25 @@ def record_text(match: Match, index: int = -1, title: str = "") -> str:
     """Return the record of one shot of a match as TOML."""
     played = match.played[index]
     number = index % len(match.played) + 1
-    cites = dict.fromkeys(cite for foul in played.verdict.fouls for cite in foul.cites)
     record: dict[str, object] = {
         "format": 1,
         "variant": match.variant.name,
         "title": title or f"Shot {number} of a match of {match.variant.title}",
-        "cites": list(cites),
+        "cites": cites_of(match.variant, played.verdict),
         "settings": dict(match.settings),
         "physics": physics_hash(match.variant.world),
         "before": before_table(match.variant, played.before),
         "shot": [{**shot_table(played.shot), "expect": _expect(played)}],
     }
     return tomli_w.dumps({key: value for key, value in record.items() if value not in ([], {})})
+
+
+def cites_of(variant: Variant, verdict: Verdict) -> list[str]:
+    """Return the sections that a verdict rests on, with the name of the rulebook."""
+    fired = (rule.cites for rule in verdict.explanation if rule.outcome == "fired")
+    fouls = (foul.cites for foul in verdict.fouls)
+    sections = dict.fromkeys(section for cites in (*fouls, *fired) for section in cites)
+    return [f"{variant.program.rulebook} {section}".strip() for section in sections]
 
 
 def _expect(played: Played) -> dict[str, object]:
