@@ -18,7 +18,8 @@ from engine.app.inputs import CloseAsked, Input
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import FAINT, GOLD, TEXT, Pen
-from engine.app.session import Mode, act, pass_time
+from engine.app.session import Mode
+from engine.app.steps import act, pass_time
 from engine.app.view import View, camera_of, stroke_seen
 
 if TYPE_CHECKING:

@@ -180,9 +180,10 @@ def make_loop(
     """Return the loop of a match in a window that is open, its preparation begun."""
     from engine.app.keeping import Keeper  # noqa: PLC0415  the window comes before the rest
     from engine.app.loop import Loop  # noqa: PLC0415
-    from engine.app.session import Aid, begin  # noqa: PLC0415
+    from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
     from engine.app.startup import Startup  # noqa: PLC0415
+    from engine.app.steps import begin  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
 
     keeper = Keeper(journal, data_folder() / "shots")

@@ -16,7 +16,8 @@ from engine.app.inputs import (
     MouseMoved,
     Wheeled,
 )
-from engine.app.session import Mode, act, begin
+from engine.app.session import Mode
+from engine.app.steps import act, begin
 from engine.app.stroke import FASTEST
 from engine.app.view import View, camera_of
 from engine.scene.camera import project

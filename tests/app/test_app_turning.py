@@ -2,7 +2,8 @@ import numpy as np
 import pytest
 
 from engine.app import commands
-from engine.app.session import Mode, act
+from engine.app.session import Mode
+from engine.app.steps import act
 from engine.app.turning import Turning, rotations
 
 

@@ -3,7 +3,8 @@ from dataclasses import replace
 import pytest
 
 from engine.app import commands
-from engine.app.session import Mode, act
+from engine.app.session import Mode
+from engine.app.steps import act
 from engine.app.words import (
     board_of,
     call_words,

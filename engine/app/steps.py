@@ -1,0 +1,333 @@
+"""From one session to the next: what each command does, and what time does.
+
+One idea: a shot is simulated, judged and entered in the match at the moment of the strike; what
+is seen afterwards is only a showing of it. Invariant: no clock, no window and no file is read
+here, so the outcome is the same at any frame rate.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from engine.app import calling, commands, placing
+from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
+from engine.app.stroke import Stroke, heading_to
+from engine.game.match import advance, start_match, undo
+from engine.game.observe import observe, simulate_shot
+from engine.game.placing import refuse_place
+from engine.game.referee import judge_shot, look_ahead, take_choice
+from engine.game.shot import NO_CALL, Shot
+
+if TYPE_CHECKING:
+    from engine.game.match import Match
+    from rulelang.facts import Call
+
+
+def begin(match: Match, stroke: Stroke = Stroke(), aid: Aid = Aid.GHOST) -> Session:  # noqa: B008
+    """Return the session of a match at the shot it has come to."""
+    ahead = match.situation
+    fresh = Session(match, Mode.AIMING, ahead, look_ahead(match.variant, ahead), stroke, aid=aid)
+    if ahead.over:
+        return replace(fresh, mode=Mode.OVER)
+    if ahead.offers:
+        return replace(fresh, mode=Mode.CHOOSING)
+    return _prepare(fresh)
+
+
+def _prepare(session: Session) -> Session:
+    """Return the session at the first thing to be done before a stroke."""
+    ready = placing.placing_of(session.variant, session.ahead)
+    place = placing.first_place(ready) if ready else None
+    ahead = replace(session, placing=ready, place=place, call=NO_CALL)
+    ahead = replace(
+        _look(ahead), stroke=_levelled(session.stroke), mode=Mode.PLACING if ready else Mode.CALLING
+    )
+    ahead = _face_balls(ahead)
+    return ahead if ready else _after_placing(ahead)
+
+
+def _levelled(stroke: Stroke) -> Stroke:
+    return replace(stroke, side=0.0, follow=0.0, elevation=0.0)
+
+
+def _face_balls(session: Session) -> Session:
+    """Return the session with the aim on the nearest ball that is on."""
+    start = session.cue_place
+    lying = session.ahead.rest.positions
+    if start is None:
+        return session
+    targets = [lying[b] for b in lying if b in session.admission.on and b != session.cue_ball]
+    targets = targets or [lying[ball] for ball in lying if ball != session.cue_ball]
+    if not targets:
+        return session
+    near = min(targets, key=lambda p: (p[0] - start[0]) ** 2 + (p[1] - start[1]) ** 2)
+    return replace(session, stroke=session.stroke.headed(heading_to(start, near)))
+
+
+def _look(session: Session) -> Session:
+    """Return the session with what the rules say about the call as it stands."""
+    call = None if session.call == NO_CALL else session.call
+    return replace(session, admission=look_ahead(session.variant, session.ahead, call))
+
+
+def _after_placing(session: Session) -> Session:
+    wanted = session.wanted
+    missing = wanted.obliged and not wanted.is_met(session.call)
+    return replace(session, mode=Mode.CALLING if missing else Mode.AIMING, note="")
+
+
+def act(session: Session, command: commands.Command) -> Session:
+    """Return the session after a command; one that does not fit the moment changes nothing."""
+    match command:
+        case commands.Undo():
+            return _undo(session)
+        case commands.Redo():
+            return _redo(session)
+        case commands.ChangeAid():
+            aids = list(Aid)
+            return replace(session, aid=aids[(aids.index(session.aid) + 1) % len(aids)])
+        case commands.Replay(pace):
+            return _replay(session, pace)
+        case commands.Skip():
+            return _finish(session) if session.mode in SHOWING else session
+        case commands.NextGame():
+            return next_game(session)
+        case commands.Confirm():
+            return _confirm(session)
+        case _:
+            return _set(session, command)
+
+
+def _set(session: Session, command: commands.Command) -> Session:
+    if session.mode is Mode.CHOOSING:
+        return _choosing(session, command)
+    if session.mode not in BEFORE_STROKE:
+        return session
+    match command:
+        case commands.Back():
+            return _back(session)
+        case commands.MoveBall() | commands.PutBall():
+            return _move_ball(session, command)
+        case commands.Turn() | commands.AimAt() | commands.SetSpeed():
+            return replace(session, stroke=_aimed(session, command))
+        case commands.SetTip() | commands.MoveTip() | commands.SetElevation():
+            return replace(session, stroke=_aimed(session, command))
+        case _:
+            return _called(session, command)
+
+
+def _choosing(session: Session, command: commands.Command) -> Session:
+    options = session.match.situation.options
+    match command:
+        case commands.Pick(by):
+            return replace(session, picked=(session.picked + by) % len(options))
+        case commands.Choose(index) if 0 <= index < len(options):
+            return _take(session, options[index])
+    return session
+
+
+def _take(session: Session, option: str) -> Session:
+    """Return the session after a choice: kept for the stroke, or played where it ends the turn."""
+    situation = session.match.situation
+    shot = Shot(choice=option)
+    chosen = take_choice(session.variant, situation, shot)
+    after = chosen.after
+    settled = (
+        after.over
+        or after.shooter != situation.shooter
+        or not set(after.options) <= set(situation.options)
+    )
+    if not settled:
+        ahead = replace(after, offers=())
+        return _prepare(replace(session, choice=option, ahead=ahead, note=""))
+    match = advance(session.match, shot, chosen)
+    begun = begin(match, session.stroke, session.aid)
+    return replace(begun, trace=session.trace, note=f"chosen: {option.replace('-', ' ')}")
+
+
+def _move_ball(session: Session, command: commands.MoveBall | commands.PutBall) -> Session:
+    if session.mode is not Mode.PLACING or session.placing is None or session.place is None:
+        return session
+    if isinstance(command, commands.PutBall):
+        wish = command.point
+    else:
+        wish = session.place[0] + command.dx, session.place[1] + command.dy
+    return _face_balls(replace(session, place=session.placing.nearest(wish)))
+
+
+def _aimed(session: Session, command: commands.Command) -> Stroke:
+    stroke = session.stroke
+    match command:
+        case commands.Turn(by):
+            return stroke.turned(by)
+        case commands.AimAt(point) if session.cue_place is not None:
+            return stroke.headed(heading_to(session.cue_place, point))
+        case commands.SetSpeed(speed):
+            return stroke.at(speed)
+        case commands.SetTip(side, follow):
+            return stroke.tipped(side, follow, session.tip_limit)
+        case commands.MoveTip(side, follow):
+            limit = session.tip_limit
+            return stroke.tipped(stroke.side + side, stroke.follow + follow, limit)
+        case commands.SetElevation(elevation):
+            return stroke.raised(elevation)
+    return stroke
+
+
+def _called(session: Session, command: commands.Command) -> Session:
+    call = _new_call(session, command)
+    if call is None or session.mode is Mode.PLACING:
+        return session
+    return _look(replace(session, call=call, note=""))
+
+
+def _new_call(session: Session, command: commands.Command) -> Call | None:
+    wanted, call, variant = session.wanted, session.call, session.variant
+    uncalled = look_ahead(variant, session.ahead)
+    balls = calling.callable_balls(variant, session.ahead, uncalled)
+    match command:
+        case commands.CallNextBall(by) if wanted.ball:
+            return calling.next_ball(call, balls, by)
+        case commands.CallBall(ball) if wanted.ball and ball in balls:
+            return replace(call, ball=ball, safety=False)
+        case commands.CallNextPocket(by) if wanted.pocket:
+            return calling.next_pocket(call, variant, by)
+        case commands.CallPocket(pocket) if wanted.pocket:
+            return replace(call, pocket=pocket, safety=False)
+        case commands.CallSafety() if wanted.safety:
+            return replace(NO_CALL, safety=not call.safety, group=call.group)
+        case commands.CallNextGroup() if wanted.group:
+            return calling.next_group(call, calling.callable_groups(variant))
+    return None
+
+
+def _back(session: Session) -> Session:
+    if session.mode is Mode.AIMING and session.wanted.anything:
+        return replace(session, mode=Mode.CALLING)
+    if session.placing is not None:
+        return replace(session, mode=Mode.PLACING)
+    return session
+
+
+def _confirm(session: Session) -> Session:
+    match session.mode:
+        case Mode.CHOOSING:
+            return _take(session, session.match.situation.options[session.picked])
+        case Mode.PLACING:
+            return _after_placing(session)
+        case Mode.CALLING:
+            return _accept_call(session)
+        case Mode.AIMING:
+            return _strike(session)
+        case Mode.STRIKING | Mode.ROLLING:
+            return session
+        case Mode.VERDICT:
+            return begin_next(session)
+        case Mode.OVER:
+            return next_game(session)
+
+
+def _accept_call(session: Session) -> Session:
+    if session.wanted.is_met(session.call):
+        return replace(session, mode=Mode.AIMING, note="")
+    return replace(session, note=f"the rules ask for {session.wanted.in_words}")
+
+
+def begin_next(session: Session) -> Session:
+    """Return the session before the next shot."""
+    after = begin(session.match, session.stroke, session.aid)
+    return replace(after, later=session.later, trace=session.trace)
+
+
+def _strike(session: Session) -> Session:
+    """Return the session with the shot played, judged, entered, and about to be seen."""
+    variant, situation, shot = session.variant, session.match.situation, session.shot
+    refusal = _refusal(session)
+    if refusal:
+        return replace(session, note=refusal)
+    trace = simulate_shot(variant, session.ahead, shot)
+    seen = observe(variant, session.ahead, shot, trace)
+    verdict = judge_shot(variant, situation, seen)
+    return replace(
+        session,
+        match=advance(session.match, seen, verdict),
+        mode=Mode.STRIKING,
+        trace=trace,
+        clock=-SWING,
+        pace=1.0,
+        back_to=None,
+        note="",
+        later=(),
+    )
+
+
+def _refusal(session: Session) -> str:
+    """Return why the stroke cannot be played as it is; empty where it can."""
+    if session.cue_place is None:
+        return "there is no cue ball on the table"
+    if not session.wanted.is_met(session.call):
+        return f"first call {session.wanted.in_words}"
+    if session.place is None:
+        return ""
+    refused = refuse_place(session.variant, session.ahead, session.place)
+    return f"{refused.reason}: {refused.mend}" if refused else ""
+
+
+def pass_time(session: Session, seconds: float) -> Session:
+    """Return the session `seconds` of the player's time later; only the showing moves."""
+    if session.mode not in SHOWING or session.trace is None:
+        return session
+    clock = session.clock + seconds * session.pace
+    if clock >= session.trace.duration:
+        return _finish(session)
+    return replace(session, clock=clock, mode=Mode.ROLLING if clock >= 0.0 else Mode.STRIKING)
+
+
+def _finish(session: Session) -> Session:
+    end = session.trace.duration if session.trace else 0.0
+    if session.back_to is not None:
+        return replace(session, clock=end, mode=session.back_to, back_to=None)
+    return replace(session, clock=end, mode=Mode.VERDICT)
+
+
+def _replay(session: Session, pace: float) -> Session:
+    last = session.last_stroke
+    if last is None or session.mode in SHOWING:
+        return session
+    trace = session.trace
+    if trace is None:
+        before = take_choice(session.variant, last.before, last.shot).after
+        trace = simulate_shot(session.variant, before, last.shot)
+    return replace(
+        session,
+        trace=trace,
+        mode=Mode.STRIKING,
+        clock=-SWING,
+        pace=pace,
+        back_to=session.mode,
+        note="",
+    )
+
+
+def _undo(session: Session) -> Session:
+    if not session.match.played:
+        return replace(session, note="there is no shot to take back")
+    back = begin(undo(session.match), session.stroke, session.aid)
+    return replace(back, later=(session.match, *session.later), note="the last shot is taken back")
+
+
+def _redo(session: Session) -> Session:
+    if not session.later or session.mode in SHOWING:
+        return replace(session, note="there is no shot to play again")
+    match, *rest = session.later
+    return replace(begin(match, session.stroke, session.aid), later=tuple(rest))
+
+
+def next_game(session: Session) -> Session:
+    """Return the session of another game with the same players and settings."""
+    if session.mode is not Mode.OVER:
+        return session
+    old = session.match
+    again = start_match(session.variant, old.situation.players, old.settings, seed=old.seed + 1)
+    return begin(again, session.stroke, session.aid)
