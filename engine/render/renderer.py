@@ -33,10 +33,11 @@ def make_renderer(name: str) -> Renderer:
     Only the one that is asked for is imported, so that wireframe starts at once.
     """
     if name in RENDERERS:
-        from engine.render import kernel_cache, line_kernels  # noqa: PLC0415
+        from engine.kernel_cache import drop_stale  # noqa: PLC0415
+        from engine.render import line_kernels  # noqa: PLC0415
 
         cache = Path(str(line_kernels.draw_segments.stats.cache_path))
-        kernel_cache.drop_stale(cache, Path(__file__).parent)
+        drop_stale(cache, Path(__file__).parent)
     if name == "wireframe":
         from engine.render.wireframe import Wireframe  # noqa: PLC0415
 

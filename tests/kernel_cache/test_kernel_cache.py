@@ -1,0 +1,90 @@
+"""Compiled kernels that may be out of date are dropped; the others stay."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from engine.kernel_cache import STAMP, drop_stale
+
+KERNEL = "from whole.part.inner import BY\n\n@njit\ndef outer(x): return x * BY\n"
+
+
+@pytest.fixture
+def package(tmp_path):
+    part = tmp_path / "whole" / "part"
+    part.mkdir(parents=True)
+    (tmp_path / "whole" / "__init__.py").write_text("")
+    (part / "__init__.py").write_text("")
+    (part / "outer.py").write_text(KERNEL)
+    (part / "inner.py").write_text("from whole.far import BY\n")
+    (part / "plain.py").write_text("A = 1\n")
+    (tmp_path / "whole" / "far.py").write_text("BY = 2\n")
+    return part
+
+
+@pytest.fixture
+def cache(tmp_path):
+    folder = tmp_path / "cache"
+    folder.mkdir()
+    fill(folder)
+    return folder
+
+
+def fill(folder):
+    for name in ("outer.run-1.py311.nbi", "outer.run-1.py311.1.nbc", "other.x.nbi"):
+        (folder / name).write_text("")
+
+
+def test_the_first_time_drops_what_nobody_vouches_for(package, cache):
+    assert drop_stale(cache, package) == ["outer.run-1.py311.nbi"]
+    assert (cache / "other.x.nbi").exists()
+    assert (cache / "outer.run-1.py311.1.nbc").exists()
+
+
+@pytest.mark.parametrize("changed", ["part/outer.py", "part/inner.py", "far.py"])
+def test_a_change_in_anything_a_kernel_uses_drops_it(package, cache, changed):
+    drop_stale(cache, package)
+    fill(cache)
+    assert drop_stale(cache, package) == []
+    path = package.parent / changed
+    path.write_text(path.read_text() + "# changed\n")
+    assert drop_stale(cache, package) == ["outer.run-1.py311.nbi"]
+    assert drop_stale(cache, package) == []
+
+
+def test_a_change_elsewhere_drops_nothing(package, cache):
+    drop_stale(cache, package)
+    fill(cache)
+    (package / "plain.py").write_text("A = 2\n")
+    (package / "outer.py").touch()
+    assert drop_stale(cache, package) == []
+
+
+def test_a_cache_that_cannot_be_written_is_no_trouble(package, tmp_path, monkeypatch):
+    cache = tmp_path / "cache"
+    cache.mkdir()
+    fill(cache)
+
+    def refuse(*_args, **_options):
+        raise PermissionError
+
+    monkeypatch.setattr(Path, "unlink", refuse)
+    monkeypatch.setattr(Path, "write_text", refuse)
+    assert drop_stale(cache, package) == []
+    assert sorted(p.name for p in cache.glob("*.nbi")) == ["other.x.nbi", "outer.run-1.py311.nbi"]
+
+
+def test_a_missing_cache_is_made(package, tmp_path):
+    assert drop_stale(tmp_path / "none", package) == []
+    assert (tmp_path / "none" / STAMP).exists()
+
+
+def test_numba_is_not_loaded():
+    code = "import sys, engine.kernel_cache; print('numba' in sys.modules)"
+    root = Path(__file__).parents[2]
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=root
+    )
+    assert done.stdout.strip() == "False"
