@@ -12,8 +12,8 @@ from test_physics_collide import ball, energy
 from engine.physics.events import CushionHit
 from engine.physics.pack import nose_reach, pack_world
 from engine.physics.rebound import bounce
-from engine.physics.state import G_SLIDING, VX, VY, WX, WY, WZ
 from engine.physics.state import REACH as REACH_COLUMN
+from engine.physics.state import VX, VY, WX, WY, WZ
 from engine.physics.world import Rubber
 
 
@@ -132,36 +132,3 @@ def test_rebound_angle_by_restitution_alone(angle, expected):
     row = hit(v, rubber=Rubber(0.8, 0.0, 0.0, 0.0), model="restitution")
     assert degrees(np.arctan2(row[VX], -row[VY])) == pytest.approx(expected, abs=1e-6)
     assert energy(row) < M
-
-
-MATHAVAN = {
-    (0.98, 0.14, 15, "stun"): (0.86366978, -0.25047929, 4.0365929e-05, 0.020672744, 0.17814233),
-    (0.98, 0.14, 45, "roll"): (0.54215046, -0.68687582, -0.2718637, 0.58755057, 0.40329975),
-    (0.98, 0.14, 60, "run"): (0.45668941, -0.83226301, -0.2139247, 0.46878844, 0.60575392),
-    (0.98, 0.14, 90, "rev"): (-0.13554047, -0.96846775, -0.25082124, -0.09713694, -0.16945224),
-    (0.85, 0.2, 30, "rev"): (0.68025914, -0.42196296, -0.25592577, 0.7304974, -0.045148068),
-    (0.85, 0.2, 45, "stun"): (0.44160259, -0.55563904, -0.14090805, 0.042718281, 0.47084795),
-    (0.85, 0.2, 75, "run"): (0.30178719, -0.78177464, -0.21107915, 0.29016401, 0.39479399),
-    (0.85, 0.2, 90, "roll"): (0.0, -0.80841635, -0.21827241, 0.0, 0.0),
-}
-
-
-@pytest.mark.parametrize(("case", "expected"), MATHAVAN.items())
-def test_mathavan_grid(case, expected):
-    e, mu, angle, kind = case
-    v = (cos(radians(angle)), sin(radians(angle)))
-    roll = 0.0 if kind == "stun" else 1.0
-    side = {"run": 0.5, "rev": -0.5}.get(kind, 0.0)
-    w = (-roll * v[1] / R, roll * v[0] / R, side / R)
-    row = hit(v, w, Rubber(e, 0.0, 0.0, mu), "mathavan-2010")
-    assert scaled(row) == pytest.approx(expected, abs=7e-4)
-
-
-def test_mathavan_without_friction_is_restitution():
-    smooth = make_world(rubber=Rubber(0.85, 0.0, 0.0, 0.0), ball_cushion="mathavan-2010")
-    numbers = pack_world(smooth)
-    numbers[G_SLIDING] = 0.0
-    row = ball((0.4, 1.0))
-    row[REACH_COLUMN] = REACH
-    bounce(row, numbers, 0.0, 1.0)
-    assert row[[VX, VY]] == pytest.approx((0.4, -0.85), abs=1e-9)
