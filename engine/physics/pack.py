@@ -1,13 +1,15 @@
 """From a world and a layout to the solvers' arrays.
 
-One idea: names become row numbers here and nowhere else. Invariant: rows follow the order of
-`World.balls`, and a nose's row number leads back to the cushion or the pocket it belongs to.
+One idea: names become row numbers here and nowhere else, and what stays from shot to shot is
+packed once. Invariant: rows follow the order of `World.balls`, and a nose's row number leads back
+to the cushion or the pocket it belongs to.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import atan2, cos, hypot, isfinite, pi, sin, sqrt
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -43,14 +45,61 @@ class Owner:
     pocket: PocketId | None
 
 
-def select_balls(world: World, layout: Layout) -> tuple[Ball, ...]:
-    """Return the balls on the table in the world's order; raise ValueError for a bad layout."""
-    known = {ball.id for ball in world.balls}
-    unknown = [ball for ball in layout if ball not in known]
-    if unknown:
-        message = f"the layout names balls that the world has not: {unknown}"
-        raise ValueError(message)
-    return tuple(ball for ball in world.balls if ball.id in layout)
+@dataclass(frozen=True, slots=True, eq=False)
+class Packed:
+    """A world as arrays: its numbers (G_*), noses (N_*) and drop circles, which nothing changes.
+
+    `rows` has one ball's row for each of `world.balls`, at rest at the origin.
+    """
+
+    world: World
+    numbers: NDArray[np.float64]
+    noses: NDArray[np.float64]
+    owners: tuple[Owner, ...]
+    drops: NDArray[np.float64]
+    drop_ids: tuple[PocketId, ...]
+    index: Mapping[BallId, int]
+    rows: NDArray[np.float64]
+
+
+def packed(world: World) -> Packed:
+    """Return the world as arrays, the same value each time for one and the same world.
+
+    The last few worlds are kept by identity, since comparing two takes longer than a shot.
+    Raises ValueError for what cannot be.
+    """
+    found = _kept.get(id(world))
+    if found is None:
+        found = _pack(world)
+        while len(_kept) >= KEPT:
+            _kept.pop(next(iter(_kept)), None)
+        _kept[id(world)] = found
+    return found
+
+
+KEPT = 8
+_kept: dict[int, Packed] = {}
+"""By `id`, which stays the world's own for as long as the value holds the world."""
+
+
+def _pack(world: World) -> Packed:
+    numbers = pack_world(world)
+    noses, owners = pack_noses(world.table)
+    rows = np.zeros((len(world.balls), state.BALL_WIDTH))
+    rows[:, state.END] = np.inf
+    for row, ball in zip(rows, world.balls, strict=True):
+        row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
+        row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
+    return Packed(
+        world=world,
+        numbers=numbers,
+        noses=noses,
+        owners=owners,
+        drops=pack_pockets(world.table),
+        drop_ids=tuple(pocket.id for pocket in world.table.pockets),
+        index=MappingProxyType({ball.id: i for i, ball in enumerate(world.balls)}),
+        rows=rows,
+    )
 
 
 def pack_world(world: World) -> NDArray[np.float64]:
@@ -109,17 +158,22 @@ def _check_world(world: World) -> None:
             raise ValueError(message)
 
 
-def pack_balls(world: World, layout: Layout) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Return the balls at rest, columns T0 and so on, and their kinds of motion."""
-    chosen = select_balls(world, layout)
-    rows = np.zeros((len(chosen), state.BALL_WIDTH))
-    rows[:, state.END] = np.inf
-    for row, ball in zip(rows, chosen, strict=True):
+def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArray[np.float64]]:
+    """Return the balls on the table in the world's order and their rows, at rest.
+
+    Raises ValueError for a layout that cannot be.
+    """
+    unknown = [ball for ball in layout if ball not in world.index]
+    if unknown:
+        message = f"the layout names balls that the world has not: {unknown}"
+        raise ValueError(message)
+    chosen = sorted(world.index[ball] for ball in layout)
+    balls = tuple(world.world.balls[i] for i in chosen)
+    rows = world.rows[chosen]
+    for row, ball in zip(rows, balls, strict=True):
         row[state.X], row[state.Y] = layout[ball.id]
-        row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
-        row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
-    _check_places([ball.id for ball in chosen], rows)
-    return rows, np.full(len(chosen), state.REST, dtype=np.int64)
+    _check_places(balls, rows)
+    return balls, rows
 
 
 def nose_reach(radius: float, nose_height: float) -> float:
@@ -131,16 +185,16 @@ def nose_reach(radius: float, nose_height: float) -> float:
     return sqrt(radius * radius - rise * rise)
 
 
-def _check_places(names: list[BallId], rows: NDArray[np.float64]) -> None:
-    places = rows[:, [state.X, state.Y]]
-    if not np.isfinite(places).all():
+def _check_places(balls: tuple[Ball, ...], rows: NDArray[np.float64]) -> None:
+    x, y, radii = rows[:, state.X], rows[:, state.Y], rows[:, state.RADIUS]
+    if not isfinite(x.sum() + y.sum()):
         raise ValueError("a ball's place must be two finite numbers")
-    radii = rows[:, state.RADIUS]
-    apart = np.hypot(*(places[:, None, :] - places[None, :, :]).transpose(2, 0, 1))
-    need = 2.0 * np.sqrt(radii[:, None] * radii[None, :]) - OVERLAP
-    bad = np.argwhere(np.triu(apart < need, 1))
-    if len(bad):
-        message = f"balls overlap: {names[bad[0][0]]} and {names[bad[0][1]]}"
+    dx, dy = x[:, None] - x, y[:, None] - y
+    need = 2.0 * np.sqrt(radii[:, None] * radii) - OVERLAP
+    bad = dx * dx + dy * dy < need * need
+    if np.count_nonzero(bad) > len(balls):
+        first, second = next((i, j) for i, j in np.argwhere(bad) if i < j)
+        message = f"balls overlap: {balls[first].id} and {balls[second].id}"
         raise ValueError(message)
 
 
@@ -247,4 +301,13 @@ def pack_pockets(table: Table) -> NDArray[np.float64]:
     return np.array(rows, dtype=np.float64).reshape(len(rows), 3)
 
 
-__all__ = ["Owner", "pack_balls", "pack_noses", "pack_pockets", "pack_world", "select_balls"]
+__all__ = [
+    "Owner",
+    "Packed",
+    "nose_reach",
+    "pack_noses",
+    "pack_pockets",
+    "pack_world",
+    "packed",
+    "place_balls",
+]

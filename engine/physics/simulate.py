@@ -7,19 +7,15 @@ input, same bits, whatever the chunks. The kernels are loaded on first use, not 
 
 from __future__ import annotations
 
+from functools import cache
 from math import inf
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from engine.physics import state
-from engine.physics.pack import (
-    pack_balls,
-    pack_noses,
-    pack_pockets,
-    pack_world,
-    select_balls,
-)
+from engine.physics.pack import packed, place_balls
 from engine.physics.strike import strike_ball
 from engine.physics.trace import Trace
 
@@ -37,7 +33,10 @@ EVENT_CAP = 100_000
 STEP = 1.0 / 60.0
 """Time step (s) of the solvers that have one."""
 
-SOLVERS = ("stepwise", "corrective", "preemptive")
+FIXED = ("corrective", "preemptive")
+"""Those with a step, in the order of `engine.physics.fixed`."""
+
+SOLVERS = ("stepwise", *FIXED)
 
 
 class EventStormError(RuntimeError):
@@ -66,11 +65,9 @@ class Simulation:
             raise ValueError(message)
         self._world, self._layout, self._ball, self._strike = world, layout, ball, strike
         self._step = step
-        self._balls = select_balls(world, layout)
-        self._rows, self._kinds = pack_balls(world, layout)
-        self._numbers = pack_world(world)
-        self._noses, self._owners = pack_noses(world.table)
-        self._drops = pack_pockets(world.table)
+        self._packed = packed(world)
+        self._balls, self._rows = place_balls(self._packed, layout)
+        self._kinds = np.full(len(self._balls), state.REST, dtype=np.int64)
         n = len(self._balls)
         self._pairs = np.full((n, n), inf)
         self._foreseen = np.zeros((n, 6))
@@ -87,8 +84,8 @@ class Simulation:
         world = self._world
         motion = strike_ball(self._balls[i], world.cue, world.cloth, self._strike)
         row = self._rows[i]
-        row[[state.VX, state.VY]] = motion.velocity
-        row[[state.WX, state.WY, state.WZ]] = motion.spin
+        row[state.VX], row[state.VY] = motion.velocity
+        row[state.WX], row[state.WY], row[state.WZ] = motion.spin
         self._kinds[i] = state.SLIDE
 
     def advance(self, until: float) -> None:
@@ -109,17 +106,14 @@ class Simulation:
                 return
 
     def _run(self, until: float) -> int:
-        arrays = (self._rows, self._kinds, self._numbers, self._noses, self._drops)
+        world = self._packed
+        arrays = (self._rows, self._kinds, world.numbers, world.noses, world.drops)
         record = (self._pieces, self._events, self._counts, self._clock, until)
+        run, run_fixed = _kernels()
         solver = self._world.models.solver
         if solver == "stepwise":
-            from engine.physics.stepwise import run  # noqa: PLC0415  numba
-
             return int(run(*arrays, self._pairs, self._foreseen, *record))
-        from engine.physics.fixed import CORRECTIVE, PREEMPTIVE, run_fixed  # noqa: PLC0415  numba
-
-        kind = CORRECTIVE if solver == "corrective" else PREEMPTIVE
-        return int(run_fixed(*arrays, *record, self._step, kind))
+        return int(run_fixed(*arrays, *record, self._step, FIXED.index(solver)))
 
     def trace(self) -> Trace:
         """Return the shot as far as it has been carried out."""
@@ -131,26 +125,37 @@ class Simulation:
             balls=self._balls,
             pieces=pieces[order],
             log=self._events[: self._counts[1]].copy(),
-            owners=self._owners,
-            pockets=tuple(pocket.id for pocket in self._world.table.pockets),
+            owners=self._packed.owners,
+            pockets=self._packed.drop_ids,
             spin_rate=self._world.cloth.spin_deceleration,
             duration=now,
         )
 
     def _open_pieces(self, now: float) -> Floats:
         """Return the pieces that have not ended, cut off `now`."""
-        done = {int(ball) for ball in self._pieces[: self._counts[0], state.P_BALL]}
-        rows = []
-        for i, row in enumerate(self._rows):
-            gone = self._kinds[i] == state.GONE
-            if gone and i in done:
-                continue
-            piece = np.zeros(state.PIECE_WIDTH)
-            piece[: state.P_X] = i, row[state.T0], row[state.T0] if gone else now, self._kinds[i]
-            piece[state.P_X : state.P_WZ + 1] = row[state.X : state.WZ + 1]
-            piece[state.P_AX : state.P_BY + 1] = row[state.AX : state.BY + 1]
-            rows.append(piece)
-        return np.array(rows).reshape(len(rows), state.PIECE_WIDTH)
+        gone = self._kinds == state.GONE
+        rows = self._rows
+        pieces = np.empty((len(rows), state.PIECE_WIDTH))
+        pieces[:, state.P_BALL], pieces[:, state.P_KIND] = np.arange(len(rows)), self._kinds
+        pieces[:, state.P_T0] = rows[:, state.T0]
+        pieces[:, state.P_T1] = np.where(gone, rows[:, state.T0], now)
+        pieces[:, state.P_X : state.P_WZ + 1] = rows[:, state.X : state.WZ + 1]
+        pieces[:, state.P_AX : state.P_BY + 1] = rows[:, state.AX : state.BY + 1]
+        if not gone.any():
+            return pieces
+        done = np.isin(np.arange(len(rows)), self._pieces[: self._counts[0], state.P_BALL])
+        return pieces[~(gone & done)]
+
+
+@cache
+def _kernels() -> tuple[Callable[..., int], Callable[..., int]]:
+    """Return the solvers' kernels, once what was compiled from other sources is dropped."""
+    from engine.kernel_cache import drop_stale  # noqa: PLC0415  numba
+    from engine.physics.fixed import run_fixed  # noqa: PLC0415  numba
+    from engine.physics.stepwise import run  # noqa: PLC0415  numba
+
+    drop_stale(Path(str(run.stats.cache_path)), Path(__file__).parent)
+    return run, run_fixed
 
 
 def simulate(
