@@ -34,7 +34,7 @@ class Keeper:
 
     def carry_on(self, match: Match) -> None:
         """Go on with a journal that holds this match already."""
-        self._journal, self._known = Journal(self.path), match
+        self._journal, self._known = Journal.reopen(self.path), match
 
     def follow(self, match: Match) -> None:
         """Write down what changed since the match was seen last."""

@@ -28,11 +28,11 @@ UNKNOWN_KEY = -1
 """Marks an offer that a record puts on the table, whose rule is found by its option."""
 
 
-def start_of(names: Names, spec: RecordSpec) -> Situation:
+def start_of(names: Names, spec: RecordSpec, seed: int = 0) -> Situation:
     """Return the situation before the first shot."""
     players = _players(names, spec)
     settings = _settings(names, spec)
-    opened = start_game(names.variant, players, settings)
+    opened = start_game(names.variant, players, settings, seed)
     if spec.before is None:
         return opened
     return _before(names, spec.before, opened)

@@ -21,10 +21,15 @@ if TYPE_CHECKING:
     from engine.variant.variant import Variant
 
 
-def build_record(path: Path, spec: RecordSpec, variant: Variant, report: Report) -> Record | None:
-    """Return the record, None where it has mistakes; those go to the report."""
+def build_record(
+    path: Path, spec: RecordSpec, variant: Variant, report: Report, seed: int = 0
+) -> Record | None:
+    """Return the record, None where it has mistakes; those go to the report.
+
+    `seed` decides what is by lot in the shots of a whole match.
+    """
     names = Names(variant, report)
-    start = start_of(names, spec)
+    start = start_of(names, spec, seed)
     steps = tuple(
         step_of(names, shot, ("shot", index), start.players) for index, shot in enumerate(spec.shot)
     )

@@ -9,14 +9,13 @@ Invariant: nothing that was written is ever changed; an undo is a line of its ow
 from __future__ import annotations
 
 import os
-import re
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import tomli_w
 
 from engine.game.match import Match, advance
 from engine.game.referee import judge_shot
+from engine.records.blocks import KEPT, TORN, UNDONE, is_torn, seed_line, standing
 from engine.records.read import read_record_text
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
@@ -27,9 +26,7 @@ if TYPE_CHECKING:
     from engine.game.match import Played
     from engine.records.read import Load
 
-KEPT = "# kept"
-UNDONE = "# undone"
-_SEED = re.compile(r"^# seed (-?\d+)$", re.MULTILINE)
+EMPTY_SHOT = '\n[[shot]]\nchoose = "play"\n[shot.expect]\n'
 
 
 class Journal:
@@ -51,10 +48,18 @@ class Journal:
             "settings": dict(match.settings),
             "before": before_table(match.variant, start),
         }
-        text = f"# seed {match.seed}\n{tomli_w.dumps(head)}{KEPT}\n"
+        text = f"{seed_line(match.seed)}{tomli_w.dumps(head)}{KEPT}\n"
         path.write_text(text, encoding="utf-8")
         for played in match.played:
             journal.append(played)
+        return journal
+
+    @classmethod
+    def reopen(cls, path: Path) -> Journal:
+        """Go on with a journal; what a killed program left half written is marked as torn."""
+        journal = cls(path)
+        if is_torn(path.read_text(encoding="utf-8", errors="replace")):
+            journal.write_line(TORN)
         return journal
 
     def append(self, played: Played) -> None:
@@ -65,7 +70,12 @@ class Journal:
 
     def undo(self) -> None:
         """Note that the last shot was taken back."""
-        self._write(f"{UNDONE}\n")
+        self.write_line(UNDONE)
+
+    def write_line(self, line: str) -> None:
+        """Add a closing line that stands for itself, whatever the file ends with."""
+        ends = self.path.read_bytes()[-1:] in {b"", b"\n"}
+        self._write(f"{'' if ends else chr(10)}{line}\n")
 
     def _write(self, text: str) -> None:
         with self.path.open("a", encoding="utf-8") as file:
@@ -80,30 +90,12 @@ def resume(path: Path, load: Load) -> Match:
     Raises RecordError for a file that is no journal of a known variant.
     """
     text = path.read_text(encoding="utf-8", errors="replace")
-    head, blocks = _blocks(text)
-    found = _SEED.search(text)
-    seed = int(found[1]) if found else 0
-    # A record has at least one shot: an empty one is added to read a journal without any.
-    shots = "".join(blocks) or '\n[[shot]]\nchoose = "play"\n[shot.expect]\n'
-    record = read_record_text(head + shots, path, load)
-    match = Match(record.variant, seed, record.start.settings, replace(record.start, seed=seed))
-    for step in record.steps[: len(blocks)]:
+    # A record has at least one shot: an empty one is read where a journal has none yet.
+    empty = "" if "[[shot]]" in standing(text) else f"\n{TORN}\n{EMPTY_SHOT}{KEPT}\n"
+    record = read_record_text(text + empty, path, load)
+    start = record.start
+    match = Match(record.variant, start.seed, start.settings, start)
+    for step in () if empty else record.steps:
         verdict = judge_shot(match.variant, match.situation, step.shot)
         match = advance(match, step.shot, verdict)
     return match
-
-
-def _blocks(text: str) -> tuple[str, list[str]]:
-    """Return the head and the complete shots that were not taken back."""
-    blocks: list[str] = []
-    current = ""
-    for line in text.splitlines(keepends=True):
-        if line.rstrip("\n") == UNDONE:
-            blocks = blocks[:-1] if len(blocks) > 1 else blocks
-            current = ""
-        elif line.rstrip("\n") == KEPT and line.endswith("\n"):
-            blocks.append(current)
-            current = ""
-        else:
-            current += line
-    return (blocks[0], blocks[1:]) if blocks else (text, [])

@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
+from engine.records.blocks import seed_of, standing
 from engine.records.build import build_record
 from engine.records.record import Record, RecordError
 from engine.records.spec import RecordSpec
 from engine.variant.library import VariantError
 from engine.variant.report import Report
-from engine.variant.source import Node, parse_source, read_source
+from engine.variant.source import Node, parse_source, read_text
 from engine.variant.variant import Variant
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from rulelang.diagnostics import Diagnostic
 
 Load = Callable[[str], Variant]
 
@@ -32,15 +32,18 @@ def read_record(path: Path, load: Load) -> Record:
 
     Raises RecordError with every mistake, each with file, line and column.
     """
-    return _checked(path, read_source(path, path.parent), load)
+    text = read_text(path)
+    if not isinstance(text, str):
+        raise RecordError(tuple(text))
+    return read_record_text(text, path, load)
 
 
 def read_record_text(text: str, path: Path, load: Load) -> Record:
-    """Return the record in a text; mistakes are told as being in `path`."""
-    return _checked(path, parse_source(text, path, path.parent), load)
+    """Return the record in a text; mistakes are told as being in `path`.
 
-
-def _checked(path: Path, source: Node | list[Diagnostic], load: Load) -> Record:
+    In a journal, shots that were taken back or are incomplete do not count.
+    """
+    source = parse_source(standing(text), path, path.parent)
     if not isinstance(source, Node):
         raise RecordError(tuple(source))
     report = Report(source, shape=RecordSpec)
@@ -51,7 +54,7 @@ def _checked(path: Path, source: Node | list[Diagnostic], load: Load) -> Record:
         raise RecordError(tuple(report.diagnostics)) from None
     variant = _variant(spec, load, report)
     if variant is not None:
-        record = build_record(path, spec, variant, report)
+        record = build_record(path, spec, variant, report, seed_of(text))
         if record is not None:
             return record
     raise RecordError(tuple(report.diagnostics))

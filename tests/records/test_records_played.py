@@ -135,3 +135,36 @@ def test_a_shot_without_a_strike_is_not_played():
     match = start_match(load(GAMES[0]))
     with pytest.raises(ValueError, match="without a strike"):
         simulate_shot(match.variant, match.situation, Shot())
+
+
+def test_a_match_goes_on_in_a_journal_that_was_cut_off(tmp_path):
+    path = tmp_path / "match.toml"
+    match = start_match(load(GAMES[0]), seed=5)
+    journal = Journal.begin(path, match)
+    match = played(match)
+    journal.append(match.played[-1])
+    whole = path.read_bytes()
+    other = played(match, heading=0.5)
+    journal.append(other.played[-1])
+    longer = path.read_bytes()
+    for size in range(len(whole), len(longer), 211):
+        path.write_bytes(longer[:size])
+        assert len(resume(path, load).played) == 1
+        Journal.reopen(path).append(other.played[-1])
+        back = resume(path, load)
+        assert len(back.played) == 2
+        assert back.situation.rest == other.situation.rest
+
+
+def test_a_journal_with_a_shot_taken_back_is_a_record(tmp_path):
+    path = tmp_path / "match.toml"
+    match = start_match(load(GAMES[0]), seed=5)
+    journal = Journal.begin(path, match)
+    for heading in (0.013, 0.02):
+        tried = played(match, heading)
+        journal.append(tried.played[-1])
+        journal.undo()
+    journal.append(tried.played[-1])
+    outcome = run_record(read_record(path, load))
+    assert outcome.passed
+    assert len(outcome.judgements) == 1
