@@ -50,6 +50,26 @@ NEAR = 1e-9
 
 
 @njit(cache=True, error_model="numpy")
+def passes_by(
+    cx: float, cy: float, bx: float, by: float, ax: float, ay: float, distance: float, last: float
+) -> bool:
+    """Say whether c + b t + a t^2 surely stays farther than `distance` (m) for t in [0, last].
+
+    The path leaves its chord by at most |a| last^2 / 4.
+    """
+    dx, dy = last * (bx + last * ax), last * (by + last * ay)
+    near = distance + 0.25 * last * last * (abs(ax) + abs(ay)) + 1e-6
+    square = dx * dx + dy * dy
+    along = -(cx * dx + cy * dy)
+    if along <= 0.0 or square == 0.0:
+        return cx * cx + cy * cy > near * near
+    if along >= square:
+        return (cx + dx) ** 2 + (cy + dy) ** 2 > near * near
+    across = cx * dy - cy * dx
+    return across * across > near * near * square
+
+
+@njit(cache=True, error_model="numpy")
 def closes(
     cx: float, cy: float, bx: float, by: float, ax: float, ay: float, distance: float, last: float
 ) -> float:
@@ -74,6 +94,8 @@ def closes(
     speed = sqrt(bx * bx + by * by)
     pull = sqrt(ax * ax + ay * ay)
     if reach - distance > (speed + pull * last) * last:
+        return NEVER
+    if passes_by(cx, cy, bx, by, ax, ay, distance, last):
         return NEVER
     k1 = 2.0 * drift
     k2 = bx * bx + by * by + 2.0 * (cx * ax + cy * ay)
@@ -116,6 +138,8 @@ def pocket_time(ball: Floats, px: float, py: float, radius: float) -> float:
     speed = sqrt(ball[VX] * ball[VX] + ball[VY] * ball[VY])
     ax, ay = 0.5 * ball[AX], 0.5 * ball[AY]
     if not reach <= (speed + sqrt(ax * ax + ay * ay) * last) * last:
+        return NEVER
+    if passes_by(cx, cy, ball[VX], ball[VY], ax, ay, radius, last):
         return NEVER
     gap = cx * cx + cy * cy - radius * radius
     k2 = speed * speed + 2.0 * (cx * ax + cy * ay)
@@ -195,6 +219,8 @@ def _arc_time(ball: Floats, nose: Floats) -> float:
     inside = nose[N_SIZE] < 0.0
     distance = abs(nose[N_SIZE]) - ball[REACH] if inside else nose[N_SIZE] + ball[REACH]
     sign = -1.0 if inside else 1.0
+    if not inside and passes_by(cx, cy, ball[VX], ball[VY], ax, ay, distance, last):
+        return NEVER
     square = cx * cx + cy * cy
     reach = sqrt(square)
     drift = cx * ball[VX] + cy * ball[VY]
