@@ -20,6 +20,7 @@ from rulelang.evaluate import Admission, admit, choose, judge
 
 if TYPE_CHECKING:
     from engine.game.shot import Shot
+    from engine.game.situation import Rest
     from engine.variant.variant import Variant
     from rulelang.decisions import Decisions, Offer
 
@@ -74,7 +75,8 @@ def take_choice(
         decided.homes,
         last.before if last else situation,
     )
-    after = _follow(variant, after, decided, board)
+    in_hand = None if board.restored else situation.in_hand
+    after = _follow(variant, after, decided, board, in_hand)
     if board.restored and last:
         after = _as_before(variant, after, last.before, decided)
     return _verdict(decided, board, after, explain=explain)
@@ -82,22 +84,20 @@ def take_choice(
 
 def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain: bool) -> Verdict:
     before = replace(situation, offers=())
-    told = _as_rules_hear(variant, before, shot)
-    decided = judge(variant.program, as_rules_see(before), told, explain=explain)
     events = shot.events or ()
     down = fallen(events, variant.program.settled_within)
     rest = rest_after(variant, before, shot, down)
+    seen, told = as_rules_see(before), _as_rules_hear(variant, before, shot, rest)
+    decided = judge(variant.program, seen, told, explain=explain)
     board = Board(rest, before.on_table - down)
     board = carry_out(variant, board, decided.table, decided.homes, before)
-    after = _follow(variant, before, decided, board)
-    after = replace(after, judged=Judged(as_rules_see(before), told, _forget(before)))
+    after = _follow(variant, before, decided, board, in_hand=None)
+    after = replace(after, judged=Judged(seen, told, _forget(before)))
     verdict = _verdict(decided, board, after, explain=explain)
     return replace(verdict, events=events)
 
 
-def _as_rules_hear(variant: Variant, before: Situation, shot: Shot) -> said.Shot:
-    down = fallen(shot.events or (), variant.program.settled_within)
-    after = rest_after(variant, before, shot, down)
+def _as_rules_hear(variant: Variant, before: Situation, shot: Shot, after: Rest) -> said.Shot:
     placed = shot.placement
     return said.Shot(
         struck=shot.struck or cue_ball_of(variant, before.shooter),
@@ -120,11 +120,17 @@ def _forget(situation: Situation) -> Situation:
     return replace(situation, judged=None)
 
 
-def _follow(variant: Variant, before: Situation, decided: Decisions, board: Board) -> Situation:
+def _follow(
+    variant: Variant,
+    before: Situation,
+    decided: Decisions,
+    board: Board,
+    in_hand: ZoneId | None,
+) -> Situation:
+    """Return the situation that decisions make; `in_hand` holds where they do not speak of it."""
     shooter = decided.offers[0].player if decided.offers else decided.next_player
     scores = tuple(map(sum, zip(before.scores, decided.points, strict=False)))
     given = decided.in_hand
-    in_hand = before.in_hand if given is None and not _moved_on(before, board) else None
     if given is not None:
         in_hand = None if given.zone is None else ZoneId(given.zone)
     after = replace(
@@ -143,10 +149,6 @@ def _follow(variant: Variant, before: Situation, decided: Decisions, board: Boar
     if not decided.endings and cue_ball_of(variant, shooter) not in after.on_table:
         after = on_the_bed(variant, after)
     return _end(after, decided) if decided.endings else _announce(variant, after)
-
-
-def _moved_on(before: Situation, board: Board) -> bool:
-    return board.rest is not before.rest
 
 
 def take_in_hand(variant: Variant, situation: Situation, zone: ZoneId | None) -> Situation:
