@@ -90,7 +90,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "solver": ("stepwise", "corrective", "preemptive"),
         "motion": ("slide-roll", "two-speed"),
         "ball_ball": ("frictional", "elastic"),
-        "ball_cushion": ("han-2005", "restitution"),
+        "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
         "strike": ("point",),
         "pocket": ("drop-edge",),
     }

@@ -79,5 +79,6 @@ def test_the_models_that_can_be_named_are_those_that_exist():
     assert set(MODEL_NAMES["solver"]) == set(simulate.SOLVERS)
     assert set(MODEL_NAMES["motion"]) == set(pack.MOTIONS)
     assert set(MODEL_NAMES["ball_ball"]) == set(pack.BALL_BALLS)
+    assert set(MODEL_NAMES["ball_cushion"]) == set(pack.CUSHIONS)
     assert set(MODEL_NAMES["strike"]) == set(pack.STRIKES)
     assert set(MODEL_NAMES["pocket"]) == set(pack.POCKETS)
