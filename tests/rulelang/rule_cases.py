@@ -116,9 +116,9 @@ def situation_of(
 
 
 def needs_no_geometry(path: Path) -> bool:
-    """Whether a record is judged by the rules alone: no positions, no balls set anew."""
+    """Whether a record is judged by the rules alone: no positions, no balls set anew or taken away."""
     text = path.read_text(encoding="utf-8")
-    host = re.search(r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = ", text)
+    host = re.search(r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = |hits outside", text)
     return host is None
 
 

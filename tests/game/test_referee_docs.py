@@ -1,0 +1,63 @@
+"""The pages on the games and the scripts name the same rules and the same records."""
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from engine.variant.load import load_variant
+
+ROOT = Path(__file__).parents[2]
+PAGES = ROOT / "docs" / "games"
+GAMES = sorted(page.stem for page in PAGES.glob("*.md"))
+load = cache(load_variant)
+
+
+def rows(game):
+    lines = (PAGES / f"{game}.md").read_text(encoding="utf-8").splitlines()
+    cells = [line.strip("|").split("|") for line in lines if line.startswith("| ")]
+    return [[cell.strip() for cell in row] for row in cells[1:]]
+
+
+def named(game):
+    texts = (re.sub(r'the book says "[^"]*"', "", row[2]) for row in rows(game))
+    return {name for text in texts for name in re.findall(r'"([^"]+)"', text)}
+
+
+def rules(game):
+    compiled = load(game).program.compiled
+    return {rule.info.name for section in compiled.values() for rule in section}
+
+
+def numbers(game):
+    found = set()
+    for row in rows(game):
+        for part in filter(None, row[3].split(", ")):
+            first, _, last = part.partition("-")
+            found.update(range(int(first), int(last or first) + 1))
+    return found
+
+
+def test_there_are_three_pages():
+    assert GAMES == ["eight_ball", "snooker", "three_cushion"]
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_page_and_script_name_the_same_rules(game):
+    assert named(game) == rules(game)
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_page_and_folder_hold_the_same_records(game):
+    records = (ROOT / "tests" / "golden" / game).glob("*.toml")
+    assert numbers(game) == {int(path.stem.split("-")[1]) for path in records}
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_every_rule_of_a_script_cites_its_section(game):
+    compiled = load(game).program.compiled
+    uncited = [
+        rule.info.name for section in compiled.values() for rule in section if not rule.info.cites
+    ]
+    assert uncited == []
