@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from rulelang.facts import Tracked
+    from rulelang.vocabulary import Tracked
 
 
 @dataclass(frozen=True, slots=True)

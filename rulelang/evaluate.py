@@ -36,7 +36,8 @@ from rulelang.watch import OutOfFuel, Watch
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from rulelang.facts import Call, Situation, Tracked
+    from rulelang.facts import Call, Situation
+    from rulelang.vocabulary import Tracked
 
 __all__ = ["Admission", "OutOfFuel", "RuleClash", "admit", "choose", "judge", "start"]
 

@@ -12,14 +12,10 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from rulelang.vocabulary import Value
-
 if TYPE_CHECKING:
     from rulelang.decisions import TableAction
     from rulelang.events import Event
-
-Tracked = Value | tuple[Value, ...]
-"""One value, or one per player."""
+    from rulelang.vocabulary import Tracked, Value
 
 Predicate = Callable[[frozenset[str], "tuple[TableAction, ...]", str | None], "Value | None"]
 

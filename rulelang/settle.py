@@ -24,8 +24,8 @@ from rulelang.decisions import (
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from rulelang.facts import Tracked
     from rulelang.program import CompiledRule, Program
+    from rulelang.vocabulary import Tracked
     from rulelang.watch import Watch
 
     Fired = list[tuple[CompiledRule, list[tuple[Any, ...]]]]

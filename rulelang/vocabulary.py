@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 Value = bool | int | str
 """What a setting, a tracked value or a fact can be; a name is a str."""
 
+Tracked = Value | tuple[Value, ...]
+"""A tracked value: one, or one per player."""
+
 
 @dataclass(frozen=True, slots=True)
 class BallName:

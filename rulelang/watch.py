@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from rulelang.decisions import TableAction
-    from rulelang.facts import Call, Shot, Situation, Tracked
+    from rulelang.facts import Call, Shot, Situation
+    from rulelang.vocabulary import Tracked
 
 (
     HIT, CUSHION, PRESSED_CUSHION, JAW, RAIL, OUTSIDE, POCKETED, REBOUNDED, SETTLED, LEFT_TABLE,

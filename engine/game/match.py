@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from engine.game.shot import Shot
     from engine.game.verdict import Verdict
     from engine.variant.variant import Value, Variant
-    from rulelang.facts import Tracked
+    from rulelang.vocabulary import Tracked
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,12 +48,12 @@ def path_to(view: View, targets: Iterable[BallId]) -> str:
 
 
 def snookering_ball(view: View, targets: Iterable[BallId]) -> BallId | None:
-    """Return the nearest ball that snookers the cue ball on every target, or None."""
+    """Return the nearest ball that hides every target from the cue ball, or None."""
     return next(iter(snookering_balls(view, targets)), None)
 
 
 def snookering_balls(view: View, targets: Iterable[BallId]) -> tuple[BallId, ...]:
-    """Return the balls that snooker the cue ball on every target, the nearest first.
+    """Return the balls that hide every target from the cue ball, the nearest first.
 
     The cue ball is not snookered if both edges of one target can be reached free of any ball
     that is not a target. Of several balls that hide one target the nearest counts (S2 R17(b));

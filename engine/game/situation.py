@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from engine.table.furniture import BallId, Point, SpotId, Table, ZoneId
     from engine.variant.variant import Value, Variant
     from rulelang.decisions import Offer
-    from rulelang.facts import Tracked
+    from rulelang.vocabulary import Tracked
 
 TOUCHING = 2e-5
 """Balls, or a ball and a nose, that lie closer than this (m) are frozen to each other."""

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
     from engine.variant.variant import Variant
-    from rulelang.facts import Tracked
+    from rulelang.vocabulary import Tracked
 
 
 class Names:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from engine.game.situation import Situation
     from engine.game.verdict import Spotted, Verdict
-    from rulelang.facts import Tracked
+    from rulelang.vocabulary import Tracked
 
 
 def spotted_of(spotted: Spotted) -> str:
