@@ -115,11 +115,12 @@ def situation_of(
     )
 
 
+NEEDS_HOST = r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = |hits outside"
+
+
 def needs_no_geometry(path: Path) -> bool:
-    """Whether a record is judged by the rules alone: no positions, no balls set anew or taken away."""
-    text = path.read_text(encoding="utf-8")
-    host = re.search(r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = |hits outside", text)
-    return host is None
+    """Whether the rules alone judge a record: no positions, no balls set anew or taken away."""
+    return re.search(NEEDS_HOST, path.read_text(encoding="utf-8")) is None
 
 
 def expand(names: list[str]) -> list[str]:
