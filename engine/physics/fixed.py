@@ -307,9 +307,9 @@ def _first_hit(
         if t < best:
             best, other = t, j
     box = np.empty(4)
-    swept_box(ball, box)
+    swept_box(ball, last - at[i], box)
     for k in range(noses.shape[0]):
-        t = nose_time(ball, noses[k], box)
+        t = nose_time(ball, noses[k], last - at[i], box)
         if t < best:
             best, other, nose = t, -1, k
     return best, other, nose

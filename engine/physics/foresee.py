@@ -20,6 +20,7 @@ from engine.physics.state import (
     ROLL,
     SLIDE,
     SPIN,
+    T0,
     X,
     Y,
 )
@@ -76,11 +77,7 @@ def foresee(
     if kinds[i] != GONE:
         moving = kinds[i] in (ROLL, SLIDE, FAST)
         if moving:
-            swept_box(balls[i], box)
-            for k in range(noses.shape[0]):
-                t = nose_time(balls[i], noses[k], box)
-                if t < row[K_NOSE_TIME]:
-                    row[K_NOSE_TIME], row[K_NOSE] = t, k
+            _foresee_noses(balls[i], noses, row, box)
         for k in range(pockets.shape[0]):
             px, py, size = pockets[k, 0], pockets[k, 1], pockets[k, 2]
             if moving:
@@ -91,6 +88,19 @@ def foresee(
             if t < row[K_DROP_TIME]:
                 row[K_DROP_TIME], row[K_DROP] = t, k
     _foresee_pairs(balls, kinds, pairs, foreseen, i, now)
+
+
+@njit(cache=True, error_model="numpy")
+def _foresee_noses(ball: Floats, noses: Floats, row: Floats, box: Floats) -> None:
+    """Find the first nose; what lies beyond one that was found is not looked at."""
+    last = ball[END] - ball[T0]
+    swept_box(ball, last, box)
+    for k in range(noses.shape[0]):
+        t = nose_time(ball, noses[k], last, box)
+        if t < row[K_NOSE_TIME]:
+            row[K_NOSE_TIME], row[K_NOSE] = t, k
+            last = t - ball[T0]
+            swept_box(ball, last, box)
 
 
 @njit(cache=True, error_model="numpy")

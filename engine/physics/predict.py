@@ -153,9 +153,11 @@ def pocket_time(ball: Floats, px: float, py: float, radius: float) -> float:
 
 
 @njit(cache=True, error_model="numpy")
-def swept_box(ball: Floats, box: Floats) -> None:
-    """Fill `box` with the low and high x and y of the ball's path, grown by its reach."""
-    last = ball[END] - ball[T0]
+def swept_box(ball: Floats, last: float, box: Floats) -> None:
+    """Fill `box` with the low and high x and y of the ball's path, grown by its reach.
+
+    The path is that of the next `last` seconds.
+    """
     for axis in range(2):
         r, v, a = ball[X + axis], ball[VX + axis], ball[AX + axis]
         end = r + last * (v + 0.5 * last * a)
@@ -169,19 +171,21 @@ def swept_box(ball: Floats, box: Floats) -> None:
 
 
 @njit(cache=True, error_model="numpy")
-def nose_time(ball: Floats, nose: Floats, box: Floats) -> float:
-    """Return when a ball at its T0 touches a nose, or NEVER."""
+def nose_time(ball: Floats, nose: Floats, last: float, box: Floats) -> float:
+    """Return when a ball at its T0 touches a nose within `last` seconds, or NEVER.
+
+    `box` is that of `swept_box`.
+    """
     if nose[N_LOX] > box[2] or nose[N_HIX] < box[0] or nose[N_LOY] > box[3] or nose[N_HIY] < box[1]:
         return NEVER
     if nose[N_CURVED] != 0.0:
-        return _arc_time(ball, nose)
-    return _line_time(ball, nose)
+        return _arc_time(ball, nose, last)
+    return _line_time(ball, nose, last)
 
 
 @njit(cache=True, error_model="numpy")
-def _line_time(ball: Floats, nose: Floats) -> float:
+def _line_time(ball: Floats, nose: Floats, last: float) -> float:
     nx, ny = -nose[N_DY], nose[N_DX]
-    last = ball[END] - ball[T0]
     x, y = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
     gap = x * nx + y * ny - ball[REACH]
     speed = ball[VX] * nx + ball[VY] * ny
@@ -212,8 +216,7 @@ def _line_time(ball: Floats, nose: Floats) -> float:
 
 
 @njit(cache=True, error_model="numpy")
-def _arc_time(ball: Floats, nose: Floats) -> float:
-    last = ball[END] - ball[T0]
+def _arc_time(ball: Floats, nose: Floats, last: float) -> float:
     cx, cy = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
     ax, ay = 0.5 * ball[AX], 0.5 * ball[AY]
     inside = nose[N_SIZE] < 0.0
