@@ -43,7 +43,11 @@ STIFFNESS = 8.0586699e8
 
 TOUCH = 2e-6
 NEARBY = 1e-3
-STEPS = 150
+STEPS, WEAK_STEPS = 150, 30
+"""Steps in the time that two balls touch."""
+
+WEAK = 0.01
+"""A blow (m/s) that needs no more than WEAK_STEPS: balls pressed into others give many of them."""
 
 (C_A, C_B, C_LENGTH, C_NX, C_NY, C_ORDER, C_SPEED, C_FROZEN, C_UX, C_UY, C_ACROSS, C_UP) = range(12)
 CONTACT_WIDTH = 12
@@ -152,10 +156,11 @@ def _round(
     speed = _fastest(balls, contacts)
     reduced = 0.5 * balls[members[0], MASS]
     depth = (1.25 * reduced * speed * speed / STIFFNESS) ** 0.4
-    step = 2.943 * depth / speed / STEPS
+    steps = STEPS if speed > WEAK else WEAK_STEPS
+    step = 2.943 * depth / speed / steps
     quiet = 0
     force = np.zeros(contacts.shape[0])
-    for tick in range(200 * STEPS):
+    for tick in range(200 * steps):
         half = 0.5 * step if tick == 0 else step
         active = _push(balls, world, contacts, way, force, half, moving)
         for c in range(contacts.shape[0]):
@@ -163,7 +168,7 @@ def _round(
                 contacts[c, C_ORDER] = order
                 order += 1
         quiet = 0 if active else quiet + 1
-        if tick > 2 and quiet > (STEPS // 2 if moving else 0):
+        if tick > 2 and quiet > (steps // 2 if moving else 0):
             break
         for p in range(count):
             i = members[p]
