@@ -79,7 +79,7 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
     required = tuple(Required(d[1], d[2]) for _, made in fired for d in made if d[0] == "require")
     on = frozenset[str]()
     if program.on is not None:
-        on = frozenset(program.names[bit] for bit in singles(program.on(c)))
+        on = frozenset(program.names[bit] for bit in singles(program.on(c) & c.on_before))
     return Admission(required, offers_of(fired), on)
 
 

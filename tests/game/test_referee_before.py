@@ -137,3 +137,9 @@ def test_cushions_count_before_the_second_ball_only():
     late = (BallsHit("white", ("red",)), BallsHit("white", ("yellow",)), *cushions)
     assert judge_shot(carom, begun, Shot(events=good)).points == (1, 0)
     assert judge_shot(carom, begun, Shot(events=late)).points == (0, 0)
+
+
+def test_only_balls_on_the_table_are_on():
+    begun = opening("snooker")
+    left = begun.on_table - {"red-6"}
+    assert "red-6" not in look_ahead(load("snooker"), replace(begun, on_table=left)).on

@@ -115,7 +115,9 @@ def situation_of(
     )
 
 
-NEEDS_HOST = r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = |hits outside"
+NEEDS_HOST = (
+    r"\bpositions\b|\bplace = |\brerack\b|\brespot\b|\bstrike = |hits outside|choose = .replace"
+)
 
 
 def needs_no_geometry(path: Path) -> bool:
