@@ -102,7 +102,8 @@ def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
         over = _left(trial, place, goal, returning) <= 0.0
         if over:
             _arrive(y, first, place, part * life, trial, goal, speed, returning)
-        y[:] = trial
+        for k in range(10):
+            y[k] = trial[k]
         _still(y, place)
         if over:
             if returning or restitution == 0.0:
