@@ -130,11 +130,12 @@ def _phases(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> 
 
 
 def _unused(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> None:
+    """Warn of names of the game's own script; a shared one may define more than a game needs."""
     scope = declarations.scope
     if not any(script.rules for script in scripts):
         return
     for name, owner in scope.owners.items():
-        if name not in scope.used and name not in scope.poisoned:
+        if owner is scripts[-1] and name not in scope.used and name not in scope.poisoned:
             at = _place_of(owner, name)
             if at is not None:
                 message = f'"{name}" is never used'

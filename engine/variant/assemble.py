@@ -113,7 +113,12 @@ def _check_sizes(spec: VariantSpec, balls: Sequence[Ball], report: Report) -> No
             message = f"a ball of {size * 1000:.1f} mm passes no mouth of {min(mouths) * 1000:.1f}"
             report.add("V406", path, message + " mm", "smaller balls or wider mouths")
         elif size > spec.table.width / 4:
-            report.add("V406", path, "the ball is larger than a quarter of the bed's width")
+            report.add(
+                "V406",
+                path,
+                "the ball is larger than a quarter of the bed's width",
+                'give the diameter with its unit, as in "57.15 mm"',
+            )
         elif not ball.radius <= spec.table.nose_height < 2 * ball.radius:
             message = f"a nose {spec.table.nose_height * 1000:.1f} mm high meets this ball "
             message += "below its middle or not at all"
@@ -130,7 +135,12 @@ def _cue_balls(
         if name not in balls:
             report.unknown("V302", ("cue_balls", index), "ball", name, balls)
         if name in seen:
-            report.add("V304", ("cue_balls", index), f"cue ball `{name}` is named twice")
+            report.add(
+                "V304",
+                ("cue_balls", index),
+                f"cue ball `{name}` is named twice",
+                "name it once; a single one serves all players",
+            )
         seen.add(name)
     count = len(spec.cue_balls)
     if count > 1 and not spec.players.fewest == spec.players.most == count:
@@ -153,18 +163,35 @@ def _settings(spec: VariantSpec, report: Report) -> Mapping[str, Setting]:
         path: KeyPath = ("settings", name)
         kinds = {type(choice) for choice in (shape.default, *shape.choices)}
         if len(kinds) > 1:
-            report.add("V502", (*path, "choices"), "the choices are of different kinds")
+            message = "default and choices are of different kinds"
+            mend = "write all as numbers, all as texts, or all as true and false"
+            alike = len({type(choice) for choice in shape.choices}) == 1
+            where = "default" if alike else "choices"
+            report.add("V502", (*path, where), message, mend)
         elif shape.choices and shape.default not in shape.choices:
             shown = ", ".join(str(choice) for choice in shape.choices)
-            message = f"the default {shape.default!r} is not among the choices"
+            message = f"the default {_shown(shape.default)} is not among the choices"
             report.add("V502", (*path, "default"), message, f"choose one of {shown}")
         elif not _within(shape):
-            message = f"the default {shape.default!r} is not a number from least to most"
-            report.add("V502", (*path, "default"), message, "write least <= default <= most")
+            message = f"the default {_shown(shape.default)} is not a number from least to most"
+            mend = f"write a whole number without quotes{_bounds(shape)}"
+            report.add("V502", (*path, "default"), message, mend)
         found[name] = Setting(
             name, shape.default, tuple(shape.choices), shape.about, shape.least, shape.most
         )
     return MappingProxyType(found)
+
+
+def _bounds(shape: SettingShape) -> str:
+    least = "" if shape.least is None else f", {shape.least} or more"
+    return least + ("" if shape.most is None else f", {shape.most} or less")
+
+
+def _shown(value: object) -> str:
+    """Return a value as TOML writes it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else str(value)
 
 
 def _within(shape: SettingShape) -> bool:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from engine.variant.spec import BallSet
 
 _RANGE = re.compile(r"((?:[a-z0-9]+-)*?)([0-9]{1,3})\.\.((?:[a-z0-9]+-)*?)([0-9]{1,3})")
+_HYPHENATED = re.compile(r"[0-9]{1,3}-[0-9]{1,3}")
 _NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 _MOST = 200
 
@@ -38,6 +39,9 @@ class RangeError(ValueError):
 
 def names_in(written: str) -> list[str]:
     """Return the names in "disc-1..disc-6", or the one name that is no range."""
+    if _HYPHENATED.fullmatch(written):
+        message = f"`{written}` is no range of balls"
+        raise RangeError("V109", message, f'write "{written.replace("-", "..")}"')
     if ".." not in written:
         if not _NAME.fullmatch(written):
             raise RangeError("V107", f"`{written[:60]}` is not kebab-case", "as in `corner-1`")
@@ -49,7 +53,9 @@ def names_in(written: str) -> list[str]:
     first, last = int(match.group(2)), int(match.group(4))
     if not 0 <= last - first < _MOST:
         message = f"`{written}` holds no ball or more than {_MOST}"
-        raise RangeError("V109", message, "the smaller number comes first")
+        mend = f'write "{match.group(1)}{last}..{match.group(1)}{first}"'
+        mend = mend if last < first else f"a set has at most {_MOST} balls"
+        raise RangeError("V109", message, mend)
     return [f"{match.group(1)}{number}" for number in range(first, last + 1)]
 
 

@@ -6,6 +6,7 @@ own list of errors becomes the author's list of mistakes.
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Annotated
 
@@ -26,6 +27,8 @@ _KEBAB = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 _STEM = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*")
 _HEX = re.compile(r"#([0-9a-fA-F]{6})")
 _LONGEST_NAME = 60
+_LONGEST_LENGTH = 20.0
+_LARGEST_MASS = 10.0
 
 
 def mistake(code: str, what: str, mend: str = "") -> PydanticCustomError:
@@ -78,23 +81,48 @@ def _colour(written: object) -> tuple[int, int, int]:
 
 def _above_zero(value: float) -> float:
     if value <= 0:
-        raise mistake("V105", f"{value:g} is not above zero")
+        raise mistake("V105", f"{value:g} is not above zero", "give a size above zero")
     return value
 
 
 def _not_below_zero(value: float) -> float:
     if value < 0:
-        raise mistake("V105", f"{value:g} is below zero")
+        raise mistake("V105", f"{value:g} is below zero", "write 0 or more")
+    return value
+
+
+def _of_a_room(value: float) -> float:
+    if value > _LONGEST_LENGTH:
+        mend = f'a plain number is metres; name the unit, as in "{value:g} cm" or "{value:g} mm"'
+        raise mistake("V105", f"{value:g} m is larger than any table", mend)
+    return value
+
+
+def _of_a_hand(value: float) -> float:
+    if value > _LARGEST_MASS:
+        mend = f'a plain number is kilograms; name the unit, as in "{value:g} g"'
+        raise mistake("V105", f"{value:g} kg is heavier than any ball or cue", mend)
+    return value
+
+
+def _opening(value: float) -> float:
+    if not math.pi / 4 <= value <= math.pi:
+        mend = 'a plain number is radians; write "45 deg" to "180 deg", as in "142 deg"'
+        raise mistake("V105", f"{value:g} rad is no angle between facing and cushion", mend)
     return value
 
 
 Metres = Annotated[float, BeforeValidator(lambda written: _quantity(LENGTH, written))]
-Size = Annotated[Metres, AfterValidator(_above_zero)]
+Size = Annotated[Metres, AfterValidator(_above_zero), AfterValidator(_of_a_room)]
 Gap = Annotated[Metres, AfterValidator(_not_below_zero)]
 Kilograms = Annotated[
-    float, BeforeValidator(lambda written: _quantity(MASS, written)), AfterValidator(_above_zero)
+    float,
+    BeforeValidator(lambda written: _quantity(MASS, written)),
+    AfterValidator(_above_zero),
+    AfterValidator(_of_a_hand),
 ]
 Radians = Annotated[float, BeforeValidator(lambda written: _quantity(ANGLE, written))]
+Cut = Annotated[Radians, AfterValidator(_opening)]
 Coordinate = Annotated[Expression, BeforeValidator(_expression)]
 Name = Annotated[str, AfterValidator(_kebab)]
 Stem = Annotated[str, AfterValidator(_stem)]

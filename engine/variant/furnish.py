@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from engine.variant.spec import LineShape, Place, PocketShape, TableShape, ZoneShape
 
 _EDGE = 1e-9
+_CUTS = "compare mouth, cut, shelf, jaw_radius and radius with those of a shipped table"
 
 
 class Surveyor:
@@ -132,7 +133,12 @@ class Surveyor:
         if start is None or end is None:
             return None
         if start == end or not (self.on_bed(start) and self.on_bed(end)):
-            self.report.add("V404", path, "the line has no length or leaves the bed")
+            self.report.add(
+                "V404",
+                path,
+                "the line has no length or leaves the bed",
+                "keep x within L/2 and y within W/2 of the centre",
+            )
             return None
         return Line(start, end, shape.drawn)
 
@@ -143,7 +149,12 @@ class Surveyor:
             path: KeyPath = ("table", "zones", name)
             zone = self.zone(shape, path, lines)
             if isinstance(zone, Area) and zone.parts and not self.holds_a_place(zone):
-                self.report.add("V408", path, f"zone `{name}` holds no place on the bed")
+                self.report.add(
+                    "V408",
+                    path,
+                    f"zone `{name}` holds no place on the bed",
+                    "drop one of its bounds, or turn one round",
+                )
             found[ZoneId(name)] = zone or Area()
         return found
 
@@ -262,7 +273,7 @@ def furnish(surveyor: Surveyor) -> Table | None:
             spec.length, spec.width, spec.nose_height, corner, side, spec.rail_width
         )
     except ValueError as error:
-        report.add("V405", pockets, str(error), on_key=True)
+        report.add("V405", pockets, str(error), _CUTS, on_key=True)
         return None
     return replace(
         table,
@@ -276,5 +287,5 @@ def _cut(shape: PocketShape, path: KeyPath, report: Report) -> PocketCut | None:
     try:
         return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)
     except ValueError as error:
-        report.add("V405", path, str(error), on_key=True)
+        report.add("V405", path, str(error), _CUTS, on_key=True)
         return None

@@ -140,6 +140,8 @@ class _Joiner:
         name = said.value
         if not isinstance(name, str) or not _STEM.fullmatch(name):
             message, mend = f"expected the name of a {what}", "the stem of a file, without folder"
+            stem = Path(name).name.removesuffix(".toml") if isinstance(name, str) else ""
+            mend = f'write "{stem}"' if _STEM.fullmatch(stem) else mend
             self.diagnostics.append(said.diagnostic("V103", (), message, mend))
             return None
         folders = [said.source.home / folder, shipped_folder() / folder]

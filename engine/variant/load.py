@@ -22,7 +22,7 @@ from engine.variant.library import (
     shipped_folder,
 )
 from engine.variant.report import Report
-from engine.variant.source import read_text
+from engine.variant.source import dotted, read_text
 from engine.variant.spec import VariantSpec
 from engine.variant.variant import Variant
 from engine.variant.words import vocabulary_of
@@ -107,13 +107,15 @@ def load_variant(name_or_path: str | Path, cache: Path | None = None) -> Variant
 def check_variant(name_or_path: str | Path, cache: Path | None = None) -> list[Diagnostic]:
     """Return every mistake of a variant, in its files and in its script; none raises.
 
-    The script is checked as soon as the files are good enough to tell the names it may use;
-    its warnings are told too. `cache` as in `load_variant`.
+    As long as the files are not good enough to tell the names that the script may use, only the
+    mistakes of its surface are told. Warnings are told too. `cache` as in `load_variant`.
     """
     try:
         reading = _read(resolve(name_or_path))
     except VariantError as error:
         return list(error.diagnostics)
+    if reading.draft is None:
+        return _in_order(reading) + _surface_mistakes(reading, cache)
     script = _find_script(reading)
     return _in_order(reading) + _script_mistakes(reading.draft, script, cache)
 
@@ -180,15 +182,44 @@ def _prune(plain: object, path: KeyPath) -> None:
         plain = plain[key]
 
 
-_KNOCK_ON = {"V301", "V302", "V303", "V306", "V406", "V407", "V503"}
-"""Mistakes of meaning that may come only from leaving out what has the wrong shape."""
+_LEANS_ON: dict[str, tuple[KeyPath, ...]] = {
+    "V301": (("table", "spots"),),
+    "V302": (("balls", "ball"), ("rack",)),
+    "V303": (("table", "lines"),),
+    "V305": (("rack",),),
+    "V306": (("balls",),),
+    "V402": (("rack",), ("balls",), ("table",)),
+    "V403": (("rack",), ("balls",), ("table",)),
+    "V405": (("table",),),
+    "V406": (("balls",), ("table",)),
+    "V407": (("balls", "ball"), ("rack",)),
+    "V503": (("players",), ("cue_balls",)),
+}
+"""Mistakes of meaning that may come only from what has the wrong shape there and is left out."""
+
+
+def _may_follow(one: Diagnostic, wrong: set[KeyPath]) -> bool:
+    """Tell whether a mistake of meaning may be due to one of shape at one of the `wrong` places.
+
+    A key that is not known may be the misspelt name of what is missed.
+    """
+    if one.code == "V110":
+        return any(dotted(path).startswith(one.key) for path in wrong)
+    return any(
+        path[: len(part)] == part or part[: len(path)] == path
+        for part in _LEANS_ON.get(one.code, ())
+        for path in wrong
+    )
 
 
 def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
     """Add the mistakes of meaning in what is left without the values that have no right shape."""
     plain = node.plain()
+    wrong: set[KeyPath] = set()
     for one in error.errors(include_url=False):
         path = tuple(key for key in one["loc"] if key != "[key]")
+        unknown = one["type"] == "extra_forbidden" and isinstance(one["input"], dict)
+        wrong.add(path[:-1] if unknown else path)
         _prune(plain, path)
     try:
         spec = VariantSpec.model_validate(plain)
@@ -196,7 +227,7 @@ def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
         return
     second = Report(node)
     assemble(spec, second)
-    report.diagnostics += [one for one in second.diagnostics if one.code not in _KNOCK_ON]
+    report.diagnostics += [one for one in second.diagnostics if not _may_follow(one, wrong)]
 
 
 def _find_script(reading: _Reading) -> _Script | None:
@@ -216,6 +247,17 @@ def _find_script(reading: _Reading) -> _Script | None:
         return _Script(path, text, home)
     reading.diagnostics += text
     return None
+
+
+def _surface_mistakes(reading: _Reading, cache: Path | None) -> list[Diagnostic]:
+    """Return what can be told of the script of a variant whose names are not known yet."""
+    from rulelang.parse import parse  # noqa: PLC0415  the parser is slow to import
+
+    path = find_script(reading.path.stem, reading.path.parent)
+    text = None if path is None else read_text(path)
+    if path is None or text is None:
+        return []
+    return parse(text, str(path), cache)[1] if isinstance(text, str) else text
 
 
 def _script_mistakes(

@@ -112,7 +112,8 @@ class _Reader:
         self.depth = 0
 
     def fail(self, what: str, mend: str = "") -> QuantityError:
-        return QuantityError(f'"{self.text}": {what}', mend or f"write {self.kind.example}")
+        told = f'"{self.text}" {what}' if what.startswith("is ") else f'"{self.text}": {what}'
+        return QuantityError(told, mend or f"write {self.kind.example}")
 
     def split(self) -> Iterator[tuple[str, str]]:
         at = 0
@@ -120,7 +121,8 @@ class _Reader:
         while at < len(text):
             match = _TOKEN.match(text, at)
             if match is None or match.lastgroup is None:
-                raise self.fail(f"cannot read `{text[at:].strip()[:12]}`")
+                mend = _with_point(text) if text[at] == "," else ""
+                raise self.fail(f"cannot read `{text[at:].strip()[:12]}`", mend)
             yield match.lastgroup, match.group(match.lastgroup)
             at = match.end()
 
@@ -225,6 +227,11 @@ class _Reader:
             raise self.fail(f"`{unit}` is no unit of {self.kind.noun}", f"use one of {units}")
         self.at += 1
         return value * self.kind.units[unit], 1
+
+
+def _with_point(text: str) -> str:
+    """Return the mend of a number with a decimal comma."""
+    return f'write a decimal point: "{text.replace(",", ".")}"'
 
 
 def _mixed(text: str) -> float | None:

@@ -139,8 +139,12 @@ class _Racker:
         for name, written in pattern.lots.items():
             where: KeyPath = (*path, "lots", name)
             if name in self.balls:
-                self.report.add("V304", where, f"`{name}` is also a ball", on_key=True)
+                self.report.add(
+                    "V304", where, f"`{name}` is also a ball", "name the lot anew", on_key=True
+                )
             points = [point for word, point, _ in cells if word == name]
+            if not points and self.inherited(where, (*path, "rows")):
+                continue
             if len(points) != len(written):
                 message = f"lot `{name}` has {len(points)} places in the rows, {len(written)} balls"
                 self.report.add("V407", where, message, "name one ball or group for each place")
@@ -152,7 +156,17 @@ class _Racker:
             if all(self.enough(pool, pools) for pool in pools):
                 self.drawn.append(Lot(tuple(points), tuple(pools)))
             elif all(pools):
-                self.report.add("V407", where, f"lot `{name}` has too few balls to draw from")
+                self.report.add(
+                    "V407",
+                    where,
+                    f"lot `{name}` has too few balls to draw from",
+                    "name more balls or groups",
+                )
+
+    def inherited(self, lot: KeyPath, rows: KeyPath) -> bool:
+        """Tell whether a lot comes from a file that these rows do not belong to."""
+        root = self.report.root
+        return root.find(lot)[0].source is not root.find(rows)[0].source
 
     def enough(self, pool: tuple[BallId, ...], pools: list[tuple[BallId, ...]]) -> bool:
         """Tell whether a pool cannot run dry before its turn."""
@@ -192,7 +206,12 @@ class _Racker:
         for what, point, radius, path in places:
             if not self.surveyor.on_bed(point, radius - _TOUCH) and path not in told:
                 told.add(path)
-                self.report.add("V403", path, f"{what} does not lie wholly on the bed")
+                self.report.add(
+                    "V403",
+                    path,
+                    f"{what} does not lie wholly on the bed",
+                    "move it towards the middle",
+                )
         for first, second in combinations(places, 2):
             gap = hypot(first[1][0] - second[1][0], first[1][1] - second[1][1])
             if gap < first[2] + second[2] - _TOUCH and second[3] not in told:

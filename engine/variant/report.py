@@ -66,7 +66,7 @@ class Report:
         for path, keys in missing.items():
             named = ", ".join(f"`{key}`" for key in keys)
             message = f"{named} {'is' if len(keys) == 1 else 'are'} missing"
-            self.add("V102", (*path, keys[0]), message, f"add `{keys[0]} = ...`")
+            self.add("V102", (*path, keys[0]), message, _missing_mend(path, keys))
 
     def _add_shape_error(self, one: ErrorDetails) -> None:
         path = tuple(key for key in one["loc"] if key != "[key]")
@@ -78,13 +78,54 @@ class Report:
         elif kind == "extra_forbidden":
             known = _known_keys(self.shape, path[:-1])
             message = f"`{path[-1]}` is not known here"
-            self.add("V101", path, message, nearest(str(path[-1]), known), on_key=True)
+            mend = _OTHER_WORDS.get(str(path[-1]), "")
+            mend = mend if mend and "diameter" in known else nearest(str(path[-1]), known)
+            self.add("V101", path, message, mend, on_key=True)
         elif kind == "literal_error":
-            mend = f"allowed here: {context['expected']}"
-            self.add("V106", path, f"{one['input']!r} is no choice here", mend)
+            known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
+            self.add(
+                "V106",
+                path,
+                f"`{one['input']}` is no choice here",
+                nearest_of(str(one["input"]), known),
+            )
         else:
             code = "V105" if kind in _RANGES else "V103"
-            self.add(code, path, _sentence(one["msg"]), _KINDS.get(kind, ""))
+            self.add(code, path, _sentence(one["msg"]), _kind_mend(one))
+
+
+_OTHER_WORDS = {"radius": "write `diameter`, twice the radius"}
+_EXAMPLES = {
+    "title": '"My game"',
+    "rulebook": '"House rules"',
+    "table": '"wpa-9ft"',
+    "balls": '"pool"',
+    "cloth": '"worsted-pool"',
+    "cue": '{ mass = "19 oz", ... }',
+    "players": "2",
+    "cue_balls": '["cue"]',
+}
+
+
+def _missing_mend(path: KeyPath, keys: list[str]) -> str:
+    examples = _EXAMPLES if not path else {}
+    mend = "add " + ", ".join(f"`{key} = {examples.get(key, '...')}`" for key in keys)
+    if path or len(keys) == 1:
+        return mend
+    return mend + '; or take them from another game: `extends = "NAME"`'
+
+
+def _kind_mend(one: ErrorDetails) -> str:
+    kind, written = one["type"], one["input"]
+    if kind == "list_type" and isinstance(written, str):
+        return f'write a list in square brackets: ["{written[:60]}"]'
+    if kind in _RANGES:
+        return "keep to this bound" if _numeric(written) else "keep to this length"
+    return _KINDS.get(kind, "")
+
+
+def _numeric(written: object) -> bool:
+    return isinstance(written, int | float)
 
 
 _RANGES = {
@@ -111,6 +152,8 @@ _KINDS = {
 def _sentence(message: str) -> str:
     message = message.replace("Input should be", "this should be")
     message = message.replace("dictionary", "table").replace("valid integer", "whole number")
+    message = re.sub(r"\bvalid (list|table|number|boolean)", r"\1", message)
+    message = message.replace("a boolean", "true or false")
     message = re.sub(r" or instance of \w+", "", message).replace("valid string", "text")
     return message[:1].lower() + message[1:]
 
@@ -118,6 +161,9 @@ def _sentence(message: str) -> str:
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return "did you mean ...", or the list of what is known, or nothing."""
     names = list(known)
+    bare = name.removesuffix("-ball").removesuffix(".toml").removesuffix(".rules")
+    if bare != name and bare in names:
+        return f"write `{bare}`"
     close = get_close_matches(name, names, 1, 0.6)
     if close:
         return f"did you mean `{close[0]}`?"
@@ -125,6 +171,13 @@ def nearest(name: str, known: Iterable[str]) -> str:
         return ""
     shown = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
     return f"known: {shown}"
+
+
+def nearest_of(name: str, known: list[str]) -> str:
+    """Return what is meant, or else all that is allowed."""
+    close = get_close_matches(name, known, 1, 0.6)
+    allowed = f"allowed here: {', '.join(known)}"
+    return f"did you mean `{close[0]}`? {allowed}" if close else allowed
 
 
 def _known_keys(shape: type[BaseModel], path: KeyPath) -> list[str]:

@@ -16,7 +16,7 @@ from engine.variant.locate import KeyPath, Place, locate
 from rulelang.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from pathlib import Path
 
 LARGEST_FILE = 256 * 1024
@@ -42,7 +42,7 @@ class Source:
         """Return a mistake at the key or the value of `path`, or of what encloses it."""
         at = path
         while at and at not in self.places:
-            at, on_key = at[:-1], True
+            at, on_key = at[:-1], on_key or not isinstance(at[-1], int)
         place = self.places.get(at, Place(1, 1, 1, 1))
         line, column = place.value_line, place.value_column
         if on_key:
@@ -125,9 +125,8 @@ class Node:
     ) -> Diagnostic:
         """Return a mistake at `path` below this node, told in the file that wrote it."""
         node, rest = self.find(path)
-        return node.source.diagnostic(
-            code, node.path + rest, message, mend, on_key=on_key or bool(rest)
-        )
+        on_key = on_key or any(isinstance(key, str) for key in rest)
+        return node.source.diagnostic(code, node.path + rest, message, mend, on_key=on_key)
 
 
 def merge(base: Node, top: Node) -> Node:
@@ -175,13 +174,39 @@ def parse_source(text: str, path: Path, home: Path) -> Node | list[Diagnostic]:
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        return [_syntax(error, blank)]
+        return [_syntax(error, blank), *_further(error, text, path, home)]
     except (RecursionError, ValueError):
-        return [Diagnostic("V003", str(path), 1, 1, "the file is nested too deeply")]
+        mend = f"at most {DEEPEST} levels"
+        return [Diagnostic("V003", str(path), 1, 1, "the file is nested too deeply", mend)]
     if _too_deep(data):
         message = f"the file is nested deeper than {DEEPEST} levels"
-        return [Diagnostic("V003", str(path), 1, 1, message)]
+        return [Diagnostic("V003", str(path), 1, 1, message, "write it flatter")]
     return _grow(data, Source(path, home, text, locate(text)), ())
+
+
+_PAIR = re.compile(r"\s*[\w.\"'-]+\s*[=:][^\[\]{}]*$")
+_MOST_SYNTAX = 20
+
+
+def _further(
+    error: tomllib.TOMLDecodeError, text: str, path: Path, home: Path
+) -> Iterator[Diagnostic]:
+    """Give the mistakes of syntax below the first one, as long as single lines are wrong."""
+    lines, source = text.split("\n"), Source(path, home, text, {})
+    for _ in range(_MOST_SYNTAX):
+        told = _syntax(error, source)
+        if told.code == "V005" or not _PAIR.match(lines[told.line - 1]):
+            return
+        lines[told.line - 1] = ""
+        try:
+            tomllib.loads("\n".join(lines))
+        except tomllib.TOMLDecodeError as next_error:
+            error = next_error
+            yield _syntax(error, source)
+        except (RecursionError, ValueError):
+            return
+        else:
+            return
 
 
 def _too_deep(data: object) -> bool:
@@ -208,7 +233,14 @@ def _grow(value: object, source: Source, path: KeyPath) -> Node:
 
 
 _TWICE = ("Cannot overwrite a value", "Cannot declare", "Cannot mutate", "Duplicate inline")
+_CURLY = ("\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u00ab", "\u00bb")
 _MENDS = (
+    ("this is no quote", 'write straight quotes, as in "text"'),
+    ("the list that begins", "close the list with `]`"),
+    ("Invalid initial", "a key is letters, digits, `_` and `-`"),
+    ("Unclosed inline", "close the table with `}`"),
+    ("Unescaped", "write `\\\\` for a backslash, or use single quotes"),
+    ("Invalid escape", "write `\\\\` for a backslash, or use single quotes"),
     ("Expected '='", "write `key = value`; a name with dots or spaces stands in quotes"),
     ("Invalid value", "a text stands in quotes; true and false are written small"),
     ("Illegal character", "a text on one line ends with the quote it began with"),
@@ -229,14 +261,78 @@ def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
         line, column = int(found.group(1)), int(found.group(2))
     if message.startswith(_TWICE):
         line = _step_back(source.text, line, column)
-        return diagnostic_at("V005", source, line, 1, message, "keep one of the two")
+        message, mend = _told_twice(source.text, line)
+        return diagnostic_at("V005", source, line, 1, message, mend)
+    if message == "Unclosed array":
+        opened = _last_open(source.text.split("\n")[:line])
+        if opened:
+            line, column = opened
+            message = "the list that begins here is not closed"
+    if message == "Invalid initial character for a key part" and _in_braces(source.text, line):
+        message = "a table in braces must end on the line where it begins"
+        mend = "write it on one line, or as a [heading] with one `key = value` a line"
+        return diagnostic_at("V004", source, line, column, message, mend)
     if message == 'Expected "\'"':
         lines = enumerate(source.text.split("\n"), 1)
         odd = [(number, text) for number, text in lines if text.count("'") % 2]
         line, column = (odd[-1][0], odd[-1][1].rfind("'") + 1) if odd else (line, column)
         message = "the text that begins here has no closing quote"
+    if source.text.split("\n")[line - 1][column - 1 : column] in _CURLY:
+        message = "this is no quote of TOML"
+    unit = _UNIT.match(source.text.split("\n")[line - 1])
+    if unit and message.startswith("Expected newline"):
+        message, mend = "a number with a unit is a text", f'write "{unit.group(1)}"'
+        return diagnostic_at("V004", source, line, column, message, mend)
     mend = next((mend for start, mend in _MENDS if message.startswith(start)), "")
-    return diagnostic_at("V004", source, line, column, message, mend)
+    return diagnostic_at(
+        "V004",
+        source,
+        line,
+        column,
+        _plainly(message),
+        mend or "see the examples of the page on variant files",
+    )
+
+
+_UNIT = re.compile(r"[^=]*=\s*([0-9][0-9./ ]* ?[a-z°]+)\s*(?:#.*)?$")
+_PLAIN = {
+    "Invalid value": "this is no value",
+    "Expected '=' after a key in a key/value pair": "`=` is missing after the key",
+    "Expected ']' at the end of a table declaration": "the heading is not closed",
+    "Expected newline or end of document after a statement": "the line should end here",
+}
+
+
+def _plainly(message: str) -> str:
+    return _PLAIN.get(message, message)
+
+
+def _told_twice(text: str, line: int) -> tuple[str, str]:
+    """Return what is said twice at `line`, and a mend that tells where it stood before."""
+    lines = text.split("\n")
+    name = lines[line - 1].split("=")[0].split("#")[0].strip()
+    for number, earlier in enumerate(lines[: line - 1], 1):
+        if earlier.split("=")[0].split("#")[0].strip() == name:
+            return f"`{name}` is given twice", f"keep one of the two; the other is in line {number}"
+    return f"`{name}` is given twice", "keep one of the two"
+
+
+def _last_open(lines: list[str]) -> tuple[int, int] | None:
+    """Return line and column of the last list that begins and does not end on its line."""
+    for number in range(len(lines), 0, -1):
+        bare = re.sub(r"\"(?:[^\"\\]|\\.)*\"|'[^']*'|#.*", _blanked, lines[number - 1])
+        if "=" in bare and bare.count("[") > bare.count("]"):
+            return number, bare.index("[", bare.index("=")) + 1
+    return None
+
+
+def _blanked(match: re.Match[str]) -> str:
+    return " " * len(match.group())
+
+
+def _in_braces(text: str, line: int) -> bool:
+    told = text.split("\n")[line - 1]
+    return told.count("{") > told.count("}")
 
 
 def _step_back(text: str, line: int, column: int) -> int:

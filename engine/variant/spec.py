@@ -13,13 +13,13 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from engine.variant.fields import (
     Coordinate,
+    Cut,
     Factor,
     Fraction,
     Gap,
     Kilograms,
     Metres,
     Name,
-    Radians,
     Rgb,
     Size,
     Stem,
@@ -43,8 +43,15 @@ class Place(Shape):
     dy: Coordinate | None = None
 
 
+_RECKONED = ("L", "W", "R", "L/", "W/", "R/", "L ", "W ", "R ")
+"""How a text begins that is a coordinate and no spot's name."""
+
+
 def _place(written: object) -> object:
     if isinstance(written, str):
+        if written.lstrip("-+(")[:2] in _RECKONED or (written[:1].isdigit() and " " in written):
+            mend = f'write ["{written}", 0]'
+            raise mistake("V110", "a point has two coordinates, in a list", mend)
         return {"spot": written}
     if isinstance(written, list):
         if len(written) != 2:
@@ -71,7 +78,7 @@ class PocketShape(Shape):
     """One kind of pocket: mouth from tip to tip, cut angle, shelf, round of the jaw, drop."""
 
     mouth: Size
-    cut: Radians
+    cut: Cut
     shelf: Metres = 0.0
     jaw_radius: Size
     radius: Size
@@ -92,6 +99,14 @@ class LineShape(Shape):
     start: Point | None = None
     end: Point | None = None
     drawn: bool = True
+
+
+def _line(written: object) -> object:
+    if isinstance(written, dict | LineShape):
+        return written
+    shown = f'"{written}"' if isinstance(written, str) else written
+    mend = "write { x = " + (f"{shown}" if isinstance(shown, str | int | float) else "0") + " }"
+    raise mistake("V110", "a line has one of x, y, or start and end", mend)
 
 
 def _names(written: object) -> object:
@@ -147,7 +162,7 @@ class TableShape(Shape):
     rubber: Rubber
     pockets: Pockets | None = None
     spots: dict[Name, Point] = {}
-    lines: dict[Name, LineShape] = {}
+    lines: dict[Name, Annotated[LineShape, BeforeValidator(_line)]] = {}
     zones: dict[Name, ZoneShape] = {}
 
 
@@ -160,6 +175,15 @@ class Contact(Shape):
     friction_decay: Factor = 0.0
 
 
+def _worth(written: object) -> object:
+    if written is None or written == "number":
+        return written
+    if isinstance(written, int) and not isinstance(written, bool):
+        return written
+    mend = 'write a whole number without quotes, or "number" for the ball\'s own'
+    raise mistake("V103", "this should be a whole number", mend)
+
+
 class BallShape(Shape):
     """What is said of one ball or of a range of balls; what is left out is the set's own."""
 
@@ -168,7 +192,7 @@ class BallShape(Shape):
     colour: Rgb | None = None
     pattern: Literal["plain", "stripe", "dots"] | None = None
     label: str | None = Field(default=None, max_length=8)
-    value: int | Literal["number"] | None = None
+    value: Annotated[int | Literal["number"] | None, BeforeValidator(_worth)] = None
     groups: list[Name] = []
     spot: Name | None = None
 
@@ -215,13 +239,18 @@ class Players(Shape):
 def _players(written: object) -> object:
     if isinstance(written, int) and not isinstance(written, bool):
         return {"fewest": written, "most": written, "usual": written}
+    if not isinstance(written, dict | Players):
+        mend = "write 2, or { fewest = 2, most = 4, usual = 2 }"
+        raise mistake("V103", "this should be a whole number or a table", mend)
     return written
 
 
 def _value(written: object) -> object:
     if isinstance(written, bool | int | str):
         return written
-    raise mistake("V103", "expected a whole number, a text, true or false")
+    raise mistake(
+        "V103", "expected a whole number, a text, true or false", 'as in 5, "exact" or true'
+    )
 
 
 Value = Annotated[bool | int | str, BeforeValidator(_value)]
