@@ -205,7 +205,7 @@ def _part(
     if speed > 0.0:
         first, second = faster_first(balls, i, j)
         strike_apart(balls[i], balls[j], world)
-        note(events, counts, TOUCHING, now, first, second, speed)
+        note(events, counts, TOUCHING, now, first, float(second), speed)
     _restart(balls, kinds, world, events, counts, i, now)
     _restart(balls, kinds, world, events, counts, j, now)
 
@@ -249,7 +249,7 @@ def _push_out(
     balls[i, Y] -= depth * iy
     if balls[i, VX] * ix + balls[i, VY] * iy > 0.0:
         speed = bounce(balls[i], world, ix, iy)
-        note(events, counts, NOSE, now, i, k, speed)
+        note(events, counts, NOSE, now, i, float(k), speed)
     _restart(balls, kinds, world, events, counts, i, now)
 
 
@@ -334,14 +334,14 @@ def _hit(
     at[i] = t
     if other < 0:
         ix, iy = into(balls[i], noses[nose])
-        note(events, counts, NOSE, t, i, nose, bounce(balls[i], world, ix, iy))
+        note(events, counts, NOSE, t, i, float(nose), bounce(balls[i], world, ix, iy))
     else:
         move(balls, kinds, world, pieces, counts, other, at[other])
         speed = closing_speed(balls[i], balls[other])
         if speed > 0.0:
             first, second = faster_first(balls, i, other)
             strike_apart(balls[i], balls[other], world)
-            note(events, counts, TOUCHING, t, first, second, speed)
+            note(events, counts, TOUCHING, t, first, float(second), speed)
         _restart(balls, kinds, world, events, counts, other, at[other])
     _restart(balls, kinds, world, events, counts, i, t)
 
@@ -366,7 +366,7 @@ def _catch(
             dx, dy, size = x - pockets[k, 0], y - pockets[k, 1], pockets[k, 2]
             if kinds[i] != GONE and dx * dx + dy * dy <= size * size:
                 drop(balls, kinds, world, pieces, counts, i, now)
-                note(events, counts, DROPPED, now, i, k, 0.0)
+                note(events, counts, DROPPED, now, i, float(k), 0.0)
 
 
 __all__ = ["CORRECTIVE", "PREEMPTIVE", "run_fixed"]

@@ -88,7 +88,7 @@ def mathavan(ball: Floats, world: Floats, ix: float, iy: float, restitution: flo
 def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
     """Run compression and restitution; `speed` is the ball's into the nose."""
     trial = np.empty(10)
-    part, goal, returning = 0.3, 0.0, False
+    part, goal, returning = 0.3, 0.0, 0.0
     for _ in range(STEPS):
         first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
         # a step is a part of the slips' remaining life, so that it shrinks as they do
@@ -106,9 +106,9 @@ def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
             y[k] = trial[k]
         _still(y, place)
         if over:
-            if returning or restitution == 0.0:
+            if returning > 0.0 or restitution == 0.0:
                 return
-            returning, goal = True, (1.0 - restitution * restitution) * y[WORK]
+            returning, goal = 1.0, (1.0 - restitution * restitution) * y[WORK]
         part = min(1.0, part * ease)
 
 
@@ -129,9 +129,9 @@ def _into(y: Floats, place: Five) -> float:
 
 
 @njit(cache=True, error_model="numpy")
-def _left(y: Floats, place: Five, goal: float, returning: bool) -> float:  # noqa: FBT001
+def _left(y: Floats, place: Five, goal: float, returning: float) -> float:
     """Return what is left of the phase: speed into the nose, or work to give back."""
-    return y[WORK] - goal if returning else _into(y, place)
+    return y[WORK] - goal if returning > 0.0 else _into(y, place)
 
 
 @njit(cache=True, error_model="numpy")
@@ -143,11 +143,11 @@ def _arrive(
     trial: Floats,
     goal: float,
     speed: float,
-    returning: bool,  # noqa: FBT001  a kernel
+    returning: float,
 ) -> None:
     """Fill `trial` with the state in which the phase ends, within a step h: Newton's method."""
     low, high = 0.0, h
-    scale = speed * speed if returning else speed
+    scale = speed * speed if returning > 0.0 else speed
     for _ in range(50):
         left = _left(trial, place, goal, returning)
         if abs(left) <= 1e-10 * scale:
@@ -156,7 +156,9 @@ def _arrive(
             low = h
         else:
             high = h
-        slope = _into(trial, place) if returning else (_into(trial, place) - _into(y, place)) / h
+        slope = (
+            _into(trial, place) if returning > 0.0 else (_into(trial, place) - _into(y, place)) / h
+        )
         h -= left / slope if slope != 0.0 else 0.0
         if not low < h < high:
             h = 0.5 * (low + high)

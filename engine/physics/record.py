@@ -103,7 +103,7 @@ def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: fl
 
 @njit(cache=True, error_model="numpy")
 def note(
-    events: Floats, counts: Ints, kind: int, now: float, first: int, second: float, speed: float
+    events: Floats, counts: Ints, kind: float, now: float, first: int, second: float, speed: float
 ) -> None:
     """Write one event into the log."""
     row = events[counts[EVENTS]]

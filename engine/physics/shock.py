@@ -91,15 +91,13 @@ def spread(balls: Floats, members: Ints, count: int, world: Floats, contacts: Fl
     total = _contacts(balls, members, count, contacts)
     before = _energy(balls, members, count)
     way = np.zeros((balls.shape[0], 2))
-    order = _round(balls, members, count, world, contacts[:total], way, moving=True, order=1)
+    order = _round(balls, members, count, world, contacts[:total], way, 1.0, 1.0)
     for _ in range(60):
         for i in range(way.shape[0]):
             way[i, 0] = way[i, 1] = 0.0
         if _fastest(balls, contacts[:total]) <= SOFT:
             break
-        order = _round(
-            balls, members, count, world, contacts[:total], way, moving=False, order=order
-        )
+        order = _round(balls, members, count, world, contacts[:total], way, 0.0, order)
     _forbid_gain(balls, members, count, before)
     return total
 
@@ -149,9 +147,9 @@ def _round(
     world: Floats,
     contacts: Floats,
     way: Floats,
-    moving: bool,  # noqa: FBT001  a kernel
-    order: int,
-) -> int:
+    moving: float,
+    order: float,
+) -> float:
     """Integrate until all contacts have opened; return the next free place in the order."""
     speed = _fastest(balls, contacts)
     reduced = 0.5 * balls[members[0], MASS]
@@ -166,9 +164,9 @@ def _round(
         for c in range(contacts.shape[0]):
             if force[c] > 0.0 and contacts[c, C_ORDER] == 0.0:
                 contacts[c, C_ORDER] = order
-                order += 1
+                order += 1.0
         quiet = 0 if active else quiet + 1
-        if tick > 2 and quiet > (steps // 2 if moving else 0):
+        if tick > 2 and quiet > (steps // 2 if moving > 0.0 else 0):
             break
         for p in range(count):
             i = members[p]
@@ -185,7 +183,7 @@ def _push(
     way: Floats,
     force: Floats,
     step: float,
-    moving: bool,  # noqa: FBT001  a kernel
+    moving: float,
 ) -> bool:
     """Give every contact's impulse of one step; forces first, from places alone."""
     active = False
@@ -195,7 +193,7 @@ def _push(
         dx, dy = way[b, 0] - way[a, 0], way[b, 1] - way[a, 1]
         nx, ny = row[C_NX], row[C_NY]
         force[c] = 0.0
-        if moving:
+        if moving > 0.0:
             x = balls[b, X] - balls[a, X] + dx
             y = balls[b, Y] - balls[a, Y] + dy
             reach = sqrt(x * x + y * y)

@@ -24,8 +24,11 @@ PIECE_WIDTH = 15
 E_KIND, E_TIME, E_FIRST, E_SECOND, E_SPEED = range(5)
 EVENT_WIDTH = 5
 
-TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED = range(6)
-"""Kinds of event: balls collided, nose hit, pocketed, left the table, began rolling, stopped."""
+TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED = (float(kind) for kind in range(6))
+"""Kinds of event: balls collided, nose hit, pocketed, left the table, began rolling, stopped.
+
+Floats, since a kernel is compiled anew for every whole number it is called with.
+"""
 
 (
     G_SLIDING,

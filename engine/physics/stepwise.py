@@ -116,7 +116,7 @@ def run(
             move(balls, kinds, world, pieces, counts, who, now)
             ix, iy = into(balls[who], noses[nose])
             speed = bounce(balls[who], world, ix, iy)
-            note(events, counts, NOSE, now, who, nose, speed)
+            note(events, counts, NOSE, now, who, float(nose), speed)
             kinds[who] = begin(balls[who], world)
             if kinds[who] == REST:
                 note(events, counts, STOPPED, now, who, -1.0, 0.0)
@@ -153,10 +153,10 @@ def _meet(
     if count == 2:
         first, second = faster_first(balls, one, two)
         strike_apart(balls[one], balls[two], world)
-        note(events, counts, TOUCHING, now, first, second, speed)
+        note(events, counts, TOUCHING, now, first, float(second), speed)
     else:
         first, second = faster_first(balls, one, two)
-        note(events, counts, TOUCHING, now, first, second, speed)
+        note(events, counts, TOUCHING, now, first, float(second), speed)
         total = spread(balls, members, count, world, contacts)
         _note_contacts(events, counts, contacts, total, one, two, now)
     for p in range(count):
@@ -227,7 +227,7 @@ def _note_contacts(
                 continue
             a, b = int(row[C_A]), int(row[C_B])
             if (a, b) != (one, two):  # both come lower index first
-                note(events, counts, TOUCHING, now, a, b, row[C_SPEED])
+                note(events, counts, TOUCHING, now, a, float(b), row[C_SPEED])
 
 
 __all__ = ["DONE", "FULL", "PAUSED", "STORM", "run"]
