@@ -14,11 +14,25 @@ SOURCES = sorted(
 # Games that ship, and games that people know: none of them may be special.
 GAMES = (
     *(path.stem.replace("_", " ") for path in ROOT.glob("variants/*.toml")),
-    *"snooker,eight ball,nine ball,ten ball,straight pool,blackball,three cushion".split(","),
-    *"straight rail,balkline,five pins,pyramid,keglebillard,bar billiards,english billiards".split(
-        ","
-    ),
-    *"kitchen,baulk,rotation pool,cribbage,bank pool,heyball,killer pool".split(","),
+    *[
+        "snooker",
+        "eight ball",
+        "nine ball",
+        "ten ball",
+        "straight pool",
+        "blackball",
+        "three cushion",
+    ],
+    *[
+        "straight rail",
+        "balkline",
+        "five pins",
+        "pyramid",
+        "keglebillard",
+        "bar billiards",
+        "english billiards",
+    ],
+    *["kitchen", "baulk", "rotation pool", "cribbage", "bank pool", "heyball", "killer pool"],
 )
 GAME = re.compile(
     rf"\b(?:{'|'.join(re.escape(name).replace(chr(92) + ' ', '[ _-]?') for name in GAMES)})\b",
