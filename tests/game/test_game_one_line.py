@@ -28,7 +28,7 @@ def test_one_line_is_a_game(tmp_path, parent):
     start = start_match(mini).situation
     assert start.in_hand is None
     assert "cue" in start.rest.positions
-    other = sorted(start.on_table - {"cue"})[0]
+    other = min(start.on_table - {"cue"})
     events = (BallsHit("cue", (other,)), Pocketed("cue", "foot-left"), Pocketed(other, "foot-left"))
     verdict = judge_shot(mini, start, Shot(events=events))
     assert [one.ball for one in verdict.spotted] == ["cue"]
