@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from lark import Lark
 from lark.exceptions import UnexpectedInput
 
-from rulelang import build
+from rulelang import building
 from rulelang.indent import BadDedent, Indentation
 from rulelang.surface import explain, scan
 from rulelang.syntax import Script
@@ -71,7 +71,7 @@ def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, li
     parser = grammar(cache)
     tree = _try(parser, source)
     if not isinstance(tree, Exception):
-        return build.script(tree, file, source), []
+        return building.script(tree, file, source), []
     script, found = _piecewise(parser, source, file)
     return script, found or [explain(tree, source, file, parser)]
 
@@ -92,7 +92,7 @@ def _piecewise(parser: Lark, source: str, file: str) -> tuple[Script, list[Diagn
         if isinstance(tree, Exception):
             found.append(explain(tree, source, file, parser))
             continue
-        part = build.script(tree, file, source)
+        part = building.script(tree, file, source)
         declarations.extend(part.declarations)
         rules.extend(part.rules)
     unique = {(d.line, d.column): d for d in found}

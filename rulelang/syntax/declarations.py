@@ -1,0 +1,99 @@
+# ruff: noqa: D101 - a class here is its construct, and the grammar tells what it is
+"""What stands at the left margin of a file, as written: declarations and rules.
+
+One idea: a `Script` is one file, its declarations and rules in the order of the text.
+Invariant: a rule of no section, or without a name, stays so; nothing is filled in.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rulelang.syntax.expressions import Expr
+    from rulelang.syntax.places import Span
+    from rulelang.syntax.statements import Statement
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A rule with its section (`fouls`, `game start` ...); a bare rule has no name."""
+
+    at: Span
+    name: str
+    section: str | None
+    phases: tuple[str, ...]
+    cites: tuple[str, ...]
+    overrides: tuple[tuple[str, Span], ...]
+    body: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    at: Span
+    name: str
+    units: tuple[str, ...]
+    start: Expr | None
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """An author's fact; `kind` is "", "ball", "number", "player" or "values".
+
+    `asked_from` is the zone that a cue ball off the bed is played from.
+    """
+
+    at: Span
+    name: str
+    kind: str
+    values: tuple[str, ...]
+    default: Expr | None
+    predicate: str | None
+    asked_on: Expr | None
+    asked_from: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Home:
+    at: Span
+    balls: Expr
+    spot: str
+
+
+@dataclass(frozen=True, slots=True)
+class Define:
+    """Cases of condition and value; a plain define has one case without a condition."""
+
+    at: Span
+    name: str
+    frozen: bool
+    cases: tuple[tuple[Expr | None, Expr], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """`language`, `game`, `cites`, `uses`, `spotting` or `settled` with its text."""
+
+    at: Span
+    word: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Phases:
+    at: Span
+    names: tuple[tuple[str, Span], ...]
+
+
+Declaration = Header | Phases | Track | Fact | Home | Define
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """One file: its declarations and rules in the order of the text."""
+
+    file: str
+    source: str
+    declarations: tuple[Declaration, ...]
+    rules: tuple[Rule, ...]
