@@ -21,6 +21,21 @@ KIND_MENDS = {
 }
 
 
+_AS_WRITTEN = {
+    k.NUMBER: "write a number, as in 1",
+    k.FLAG: "write yes or no",
+    k.PLAYER: "say `shooter`, `opponent` or `next player`",
+    k.BALLS: "name a ball or a group",
+}
+
+
+def kind_mend(kind: str, made: Code) -> str:
+    """Return what to write where a value of `kind` is due and `made` stands."""
+    if kind == k.BALLS and made.kind == k.NUMBER and made.text.isdigit():
+        return f"write `{made.text}-ball`"
+    return KIND_MENDS.get((kind, made.kind), "") or _AS_WRITTEN.get(kind, "")
+
+
 def names_of(watch: Watch, mask: int) -> frozenset[str]:
     """Return the names of the balls in a mask."""
     return frozenset(watch.names[bit] for bit in singles(mask))

@@ -28,6 +28,7 @@ from rulelang.program import (
 )
 from rulelang.statements import SECTION_OF, Statements
 from rulelang.syntax import walk
+from rulelang.where import head_of, narrowed, span_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -93,7 +94,7 @@ class _Work:
         """Keep a mistake with its place and source line."""
         if trouble.silent:
             return
-        at = trouble.at
+        at = narrowed(script.source, trouble)
         lines = script.source.split("\n")
         snippet = lines[at.line - 1] if at.line <= len(lines) else ""
         width = min(max(1, at.end - at.start), max(1, len(snippet) - at.column + 1))
@@ -121,7 +122,8 @@ class _Work:
         rules = self.rules(scope)
         self.defines(scope)
         on = self.balls_on(scope)
-        check_meaning(declarations, rules, self.scripts, self.tell)
+        sound = not any(d.severity == "error" for d in self.diagnostics)
+        check_meaning(declarations, rules, self.scripts, self.tell, sound=sound)
         if any(d.severity == "error" for d in self.diagnostics):
             return None
         return self.program(declarations, scope, rules, homes, on)
@@ -136,9 +138,8 @@ class _Work:
             found = self.library(node.text)
             if found is None or len(above) > 16:
                 message = f'there is no script "{node.text}" to use'
-                self.tell(
-                    script, Mistake("R204", node.at, message, "look for it in the rules folder")
-                )
+                mend = "it lies as NAME.rules in `rules/`, or beside this script"
+                self.tell(script, Mistake("R204", node.at, message, mend))
             elif found[1] not in above and found[1] not in [x.file for x in self.scripts]:
                 self.read(found[0], found[1], (*above, filename))
         self.scripts.append(script)
@@ -213,9 +214,13 @@ class _Work:
     ) -> tuple[CompiledRule, list[Code]]:
         section = rule.section or _home_of(rule)
         for phase in rule.phases:
-            scope.phase(phase, rule.at)
+            scope.phase(phase, head_of(script, rule, phase))
         statements = Statements(scope, script.source, section, number, self.consequences)
         run = statements.body(rule.body)
+        for trouble in statements.troubles[1:]:
+            self.blame(scope, script, trouble)
+        if statements.troubles:
+            raise statements.troubles[0]
         end = rule.body[-1].at.end
         text = script.source[rule.at.start : end].strip()
         name = rule.name or " ".join(text.split())[:60]
@@ -224,7 +229,8 @@ class _Work:
         for made in statements.codes:
             if made.since > stage:
                 message = f"`{made.text}` is decided later than in `{section}:`"
-                raise Mistake("R402", rule.at, message, "read it in a later section")
+                at = span_of(script.source, made.text, rule.at)
+                raise Mistake("R402", at, message, "read it in a later section")
         guard = statements.guard if len(rule.body) == 1 else None
         phases = frozenset(rule.phases) if rule.phases else None
         if guard is not None and guard[0].phases is not None:

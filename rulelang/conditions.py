@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
 from rulelang import syntax as s
-from rulelang.closures import KIND_MENDS, constant_name, joined
+from rulelang.closures import constant_name, joined, kind_mend
 from rulelang.code import Code, Mistake
 from rulelang.scope import nearest
 from rulelang.watch import at_cushion, lie_in, touching
@@ -230,9 +230,15 @@ class Conditions:
                 node.at,
                 f"`{left.text}` is {k.SPOKEN[left.kind]}, but `{right.text}` is"
                 f" {k.SPOKEN[right.kind]}: they can never be equal",
-                KIND_MENDS.get((left.kind, right.kind), ""),
+                self._equal_mend(left, right),
             )
         return right
+
+    def _equal_mend(self, left: Code, right: Code) -> str:
+        fact = self.x.scope.facts.get(left.domain.removeprefix("fact "))
+        if fact is not None and fact.values:
+            return f"it is one of {', '.join(fact.values)}"
+        return kind_mend(left.kind, right)
 
     def _check_fact_value(self, node: s.Name, fact: str) -> None:
         allowed = self.x.scope.facts[fact].values

@@ -83,7 +83,9 @@ class Declarations:
         taken = (*scope.tracks, *scope.facts, *scope.defines)
         if name in scope.owners and name in taken:
             other = scope.owners[name]
-            message = f'"{name}" is given twice, also in {other.file}'
+            earlier = _line_of(other, name)
+            place = f"line {earlier}" if other is script else other.file
+            message = f'"{name}" is given twice, also in {place}'
             self.tell(script, Mistake("R205", at, message, "give one of them another name"))
             return False
         scope.poisoned.discard(name)
@@ -173,6 +175,13 @@ class Declarations:
             r"^(?:define|track|fact) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
         ):
             self.scope.poisoned.add(name)
+
+
+def _line_of(script: s.Script, name: str) -> int:
+    for node in script.declarations:
+        if isinstance(node, s.Define | s.Track | s.Fact) and node.name == name:
+            return node.at.line
+    return 1
 
 
 def _writes(script: s.Script, name: str) -> list[s.Write]:

@@ -14,12 +14,12 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.chance import draw
 from rulelang.closures import (
-    KIND_MENDS,
     chain,
     common_kind,
     constant_name,
     derive,
     joined,
+    kind_mend,
     leader,
     names_of,
     opponent,
@@ -91,7 +91,7 @@ class Expressions:
             "R301",
             node.at,
             f"{k.SPOKEN[kind]} is due here, but `{made.text}` is {k.SPOKEN[made.kind]}",
-            KIND_MENDS.get((kind, made.kind), ""),
+            kind_mend(kind, made),
         )
 
     def _as_balls(self, node: s.Expr, made: Code) -> Code:
@@ -519,6 +519,8 @@ def _cue_ball_of(x: Expressions, node: s.CueBallOf) -> Code:
 def _name_of(x: Expressions, node: s.NameOf) -> Code:
     if node.name in x.scope.tracks:
         return x._tracked(node.name, node.who, node.at)  # noqa: SLF001
+    if node.name in x.scope.poisoned:
+        raise Mistake("R206", node.at, f'"{node.name}" cannot be read', silent=True)
     mend = (
         nearest(node.name, x.scope.tracks) or f"declare it: track {node.name} per game per player"
     )

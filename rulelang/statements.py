@@ -68,11 +68,13 @@ class Statements:
         self.depth = 0
         self.free = False
         self.guard: tuple[Code, Run] | None = None
+        self.troubles: list[Mistake] = []
 
     def body(self, nodes: tuple[s.Statement, ...]) -> Run:
         """Compile statements that follow each other."""
         self.depth += 1
-        runs = [self.statement(node) for node in nodes]
+        tried = [self._tried(node) for node in nodes]
+        runs = [one for one in tried if one is not None]
         self.depth -= 1
         if len(runs) == 1:
             return runs[0]
@@ -84,6 +86,16 @@ class Statements:
             return did
 
         return run
+
+    def _tried(self, node: s.Statement) -> Run | None:
+        """Compile one statement; a mistake in it is kept, and hides none in the next."""
+        depth, free = self.depth, self.free
+        try:
+            return self.statement(node)
+        except Mistake as trouble:
+            self.depth, self.free = depth, free
+            self.troubles.append(trouble)
+            return None
 
     def statement(self, node: s.Statement) -> Run:
         """Compile one statement."""
@@ -126,14 +138,19 @@ class Statements:
         pairs: list[tuple[Any, Run]] = []
         outermost = self.depth <= 1 and not self.free
         for condition, body in node.branches:
-            made = self.x.truth(condition)
+            try:
+                made = self.x.truth(condition)
+            except Mistake as trouble:
+                self.troubles.append(trouble)
+                self.body(body)
+                continue
             self.codes.append(made)
             if outermost:
                 self.conditions.append(made)
             self.late = self.late or made.fouls
             pairs.append((made.truth, self.body(body)))
         otherwise = self.body(node.otherwise) if node.otherwise else None
-        if len(pairs) == 1 and otherwise is None:
+        if len(pairs) == 1 and len(node.branches) == 1 and otherwise is None:
             test, then = pairs[0]
             if outermost:
                 self.guard = (made, then)
@@ -241,6 +258,8 @@ def _award(x: Statements, node: s.Award) -> Act:
 
 def _write(x: Statements, node: s.Write) -> Act:
     scope, name = x.scope, node.name
+    if name in scope.poisoned:
+        raise Mistake("R206", node.at, f'"{name}" cannot be read', silent=True)
     if name not in scope.tracks:
         mend = nearest(name, scope.tracks) or f"declare it: track {name} per game"
         raise Mistake("R206", node.at, f'"{name}" is not tracked', mend)

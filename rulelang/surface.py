@@ -14,6 +14,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 
 from rulelang.diagnostics import Diagnostic
 from rulelang.indent import BadDedent
+from rulelang.meant import Meant, meant, meant_by_sign
 
 if TYPE_CHECKING:
     from lark import Lark
@@ -99,25 +100,15 @@ def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:
             source,
         )
     if isinstance(trouble, UnexpectedCharacters):
-        line, column = trouble.line, trouble.column
-        sign = source.split("\n")[line - 1][column - 1 : column]
-        return _sign(file, line, column, sign, source)
+        return _sign(file, trouble.line, trouble.column, source)
     if isinstance(trouble, UnexpectedToken):
         return _token(trouble, source, file, parser)
     return _at("R101", file, 1, 1, "this is not a script", "", source)
 
 
-def _sign(file: str, line: int, column: int, sign: str, source: str) -> Diagnostic:
-    mends = {
-        "=": "say `is`", "<": "say `is fewer than`", ">": "say `is more than`", "+": "say `plus`",
-        "*": "say `times`", "&": "say `and`", "|": "say `or`", "!": "say `not`", "'": 'use "',
-        "-": "say `minus`; a name has letters on both sides of its hyphen",
-        "_": "names are joined by hyphens: my-name",
-    }  # fmt: skip
-    mend = mends.get(sign, "leave it out")
-    if sign.isupper():
-        mend = "names and words are lower case"
-    return _at("R106", file, line, column, f"`{sign}` has no meaning here", mend, source)
+def _sign(file: str, line: int, column: int, source: str) -> Diagnostic:
+    told = meant_by_sign(source.split("\n")[line - 1], column)
+    return _at(told.code, file, line, told.column, told.message, told.mend, source, told.width)
 
 
 def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Diagnostic:
@@ -128,6 +119,10 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
     expected = _spoken(trouble.accepts or trouble.expected, parser)
     row = lines[line - 1] if line <= len(lines) else ""
     if token.type in ("_NL", "$END", "_DEDENT"):
+        end = _end_of(token, lines, line)
+        known = meant(lines[end - 1], len(lines[end - 1].split("#")[0].rstrip()) + 1)
+        if known is not None:
+            return _known(known, file, end, source)
         return _line_end(token, lines, line, expected, file, source)
     if token.type == "_INDENT":
         return _indent(token, lines, file, source)
@@ -138,6 +133,9 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
     def made(code: str, message: str, mend: str) -> Diagnostic:
         return _at(code, file, line, column, message, mend, source, width)
 
+    known = meant(row, column)
+    if known is not None:
+        return _known(known, file, line, source)
     special = _special(text, last, row, column, expected)
     if special is not None:
         return made(*special)
@@ -167,6 +165,10 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         return made("R101", f"`{text}` is a word of the language", "choose another name")
     told = f"; expected {_listed(expected)}" if expected else ""
     return made("R101", f"`{text}` does not fit here{told}", mend)
+
+
+def _known(told: Meant, file: str, line: int, source: str) -> Diagnostic:
+    return _at(told.code, file, line, told.column, told.message, told.mend, source, told.width)
 
 
 def _special(
@@ -203,11 +205,17 @@ def _is_name(text: str) -> bool:
     return re.fullmatch(r"[a-z][a-z0-9-]*", text) is not None and text not in ("per", "when", "as")
 
 
+def _end_of(token: Any, lines: list[str], line: int) -> int:
+    """Return the line that ended too early: the last with text, where a blank one is told."""
+    if token.type == "_NL":
+        return line
+    return max((n for n, text in enumerate(lines, 1) if text.strip() and n <= line), default=1)
+
+
 def _line_end(
     token: Any, lines: list[str], line: int, expected: list[str], file: str, source: str
 ) -> Diagnostic:
-    if token.type in ("$END", "_DEDENT"):
-        line = max((n for n, text in enumerate(lines, 1) if text.strip() and n <= line), default=1)
+    line = _end_of(token, lines, line)
     row = lines[line - 1].split("#")[0].rstrip()
     column = len(row) + 1
     if row.endswith(":"):
@@ -238,6 +246,12 @@ def _indent(token: Any, lines: list[str], file: str, source: str) -> Diagnostic:
     line = token.end_line or 1
     above = lines[(token.line or 1) - 1].split("#")[0].rstrip()
     column = len(lines[line - 1]) - len(lines[line - 1].lstrip()) + 1
+    if above.lstrip().startswith(_OPENERS) and ":" in _code(above) and not above.endswith(":"):
+        message = "this line is indented below one that has its action already"
+        mend = (
+            f"align it with line {token.line}, or put the action of that line on a line of its own"
+        )
+        return _at("R104", file, line, column, message, mend, source)
     if above.lstrip().startswith(_OPENERS) and not above.endswith(":"):
         code, message = "R102", "the colon is missing"
         return _at(code, file, token.line, len(above) + 1, message, "end the line with `:`", source)

@@ -1,0 +1,150 @@
+"""What an author meant: mistakes that the words of one line give away.
+
+One idea: a table of turns of phrase that people write and the language does not have, each with
+what to write instead; asked only where the parser has already stopped.
+Invariant: a line that parses is never looked at.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from rulelang.program import SECTIONS
+
+_VERBS = r"(?:pocketed|hit|left|crossed|entered|jumped|toppled|touched|rebounded|settled|pressed)"
+_HEADS = r"(?:rule|if|for|otherwise|define|offer|at|track|fact|phases|uses|game|language)\b"
+_NOT = "put `not` before the whole event: `not cue ball hit any object ball`"
+_PLAYERS = "say `shooter`, `opponent`, `next player` or `breaker`"
+_OTHERS = {
+    "scoring": "points", "score": "points", "next": "next shot", "start": "at game start",
+    "setup": "at game start", "end": "ending", "result": "ending", "balls": "table",
+    "spotting": "table", "before": "before shot", "calls": "before shot", "choices": "next shot",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Meant:
+    """What stands wrong in a line: `column` from 1, how wide, what it is and what it should be."""
+
+    code: str
+    column: int
+    width: int
+    message: str
+    mend: str
+
+
+_PHRASES: tuple[tuple[str, str, str, str], ...] = (
+    (r"(?P<x>\bball (?P<n>\d+))\b", "R101", "a ball is called by number and `ball`",
+     "write `{n}-ball`"),
+    (r"(?P<x>\b(?P<n>\d+)ball)\b", "R101", "the hyphen of a ball is missing", "write `{n}-ball`"),
+    (r"(?P<x>\b(?:does|did|do|has|have) not)\b", "R101", "`{x}` is not a word of the language",
+     _NOT),
+    (rf"(?<!is )(?<!are )(?P<x>\bnot) {_VERBS}\b", "R101", "`not` stands inside an event", _NOT),
+    (r"^\s*(?P<x>else|elif|else if|elseif)\b", "R101", "`{x}` is not a word of the language",
+     "say `otherwise:`; further cases are an `if` of their own"),
+    (r"\bif\s*(?P<x>:)", "R101", "the condition is missing",
+     "say what must hold: `if cue ball pocketed:`"),
+    (rf"(?P<x>\b(?:was|were|has been|have been|gets|got|has|have)) (?P<v>{_VERBS})\b", "R107",
+     "an event is told without `{x}`", "say `... {v}`, without `{x}`"),
+    (r'\bfoul (?P<x>"(?P<n>[a-z][a-z0-9-]*)")', "R101", "the name of a foul stands without quotes",
+     "write `foul {n}`"),
+    (r"(?<!is )\bfoul (?P<x>(?P<a>[a-z][a-z-]*) (?P<b>(?!alone|worth)[a-z][a-z-]*))\s*$", "R101",
+     "the name of a foul is one word", "write `foul {a}-{b}`"),
+    (r"\bin hand (?P<x>anywhere|everywhere)\b", "R101", "`{x}` is no zone",
+     "say `in hand in table`, or another zone of the variant"),
+    (r"(?P<x>\bplayer (?:\d+|one|two)\b)", "R101", "a player is not called by a number", _PLAYERS),
+    (r"\b(?:to|from|give|of) (?P<x>player)\s*$", "R101", "it is not said which player", _PLAYERS),
+    (r"\baward \S+(?P<x>)\s*$", "R101", "it is not said who gets the points", "add `to shooter`"),
+    (r"\bdeduct \S+(?P<x>)\s*$", "R101", "it is not said who loses the points",
+     "add `from shooter`"),
+    (r"\b(?P<v>wins|loses)(?P<x>)\s*$", "R101", "it is not said what is won or lost",
+     "say `{v} game`"),
+    (r"^define (?P<n>[a-z][a-z0-9-]*) (?P<x>\d+)", "R101", "a word is missing after the name",
+     "say `define {n} as {x}`"),
+    (r"(?P<x>\b(?P<a>[a-z]+) (?P<b>string|line|spot|zone)\b)", "R101", "a name is one word",
+     "join it by a hyphen: `{a}-{b}`"),
+    (r"(?P<x>\bthen) (?:foul|award|deduct|spot|respot|give|turn|go|add|set|reset|remove)\b",
+     "R102", "an `if` ends with a colon, not with `then`", "write `:` for `then`"),
+    (r"^\s+(?P<x>(?P<a>[a-z][a-z-]*) (?P<b>[a-z][a-z-]*)):", "R101", "an option is one word",
+     "join it by a hyphen: `{a}-{b}:`"),
+    (r"^\s+(?P<n>[a-z][a-z-]*)(?P<x>)\s*$", "R102", "an option has a colon and a consequence",
+     "write `{n}: nothing happens`"),
+)  # fmt: skip
+
+
+def meant(row: str, column: int) -> Meant | None:
+    """Return what was meant in `row`, where the parser stopped at `column`; None: not known."""
+    row = row.split("#", maxsplit=1)[0]
+    section = _section(row)
+    if section is not None:
+        return section
+    for pattern, code, message, mend in _PHRASES:
+        for match in re.finditer(pattern, row):
+            if match.start() + 1 <= column <= max(match.end(), match.end("x")) + 1:
+                if message == "an option is one word" and re.match(rf"\s*{_HEADS}", row):
+                    continue
+                words = match.groupdict()
+                width = max(1, len(words["x"]))
+                at = match.start("x") + 1
+                return Meant(code, at, width, message.format(**words), mend.format(**words))
+    return None
+
+
+def _section(row: str) -> Meant | None:
+    """Return what section was meant by a line that opens one that there is not."""
+    match = re.fullmatch(rf"(?!{_HEADS})([a-z][a-z ]*?)\s*:\s*", row)
+    if match is None or match.group(1) in SECTIONS:
+        return None
+    name = match.group(1)
+    close = get_close_matches(name, SECTIONS, 1, 0.6)
+    other = _OTHERS.get(name) or (close[0] if close else "")
+    mend = f"say `{other}:`" if other else f"the sections are {', '.join(SECTIONS)}"
+    return Meant("R101", 1, len(name), f"there is no section `{name}:`", mend)
+
+
+_CURLY = "\u201c\u201d\u201e\u2018\u2019\u00ab\u00bb"
+_SIGNS = {
+    "==": "say `is`", ">=": "say `is at least`", "=>": "say `is at least`",
+    "<=": "say `is at most`", "=<": "say `is at most`", "!=": "say `is not`",
+    "//": "a comment begins with `#`", "/*": "a comment begins with `#`", "&&": "say `and`",
+    "||": "say `or`",
+    "=": "say `is`", "<": "say `is fewer than`", ">": "say `is more than`", "+": "say `plus`",
+    "*": "say `times`", "&": "say `and`", "|": "say `or`", "!": "say `not`", "'": 'use "',
+    "-": "say `minus`; a name has letters on both sides of its hyphen",
+}  # fmt: skip
+
+
+def meant_by_sign(row: str, column: int) -> Meant:
+    """Return what was meant by a character that the language does not have."""
+    at = column - 1
+    sign = row[at : at + 1]
+    for signs in (row[at : at + 2], sign):
+        if signs in _SIGNS:
+            return Meant(
+                "R106", column, len(signs), f"`{signs}` has no meaning here", _SIGNS[signs]
+            )
+    told = f"`{sign}` has no meaning here"
+    if sign in _CURLY:
+        return Meant("R106", column, 1, told, 'write straight quotes: "')
+    if sign == "_":
+        return _underscore(row, at)
+    if not sign.isupper():
+        return Meant("R106", column, 1, told, "leave it out")
+    word = re.match(r"[\w-]+", row[at:])
+    text = word.group() if word else sign
+    if row[:at].rstrip().endswith("rule"):
+        title = row[at:].split(":", maxsplit=1)[0].split("[", maxsplit=1)[0].strip()
+        return Meant("R106", column, len(title), "the name of a rule stands in quotes",
+                     f'write `rule "{title}"`')  # fmt: skip
+    mend = f"names and words are lower case: `{text.lower()}`"
+    return Meant("R106", column, len(text), told, mend)
+
+
+def _underscore(row: str, at: int) -> Meant:
+    start = len(row[:at]) - len(re.search(r"[\w-]*$", row[:at]).group())  # type: ignore[union-attr]
+    word = re.match(r"[\w-]+", row[start:])
+    text = word.group() if word else "_"
+    mend = f"names are joined by hyphens: `{text.replace('_', '-').strip('-') or 'my-name'}`"
+    return Meant("R106", start + 1, len(text), "`_` has no meaning here", mend)
