@@ -1,0 +1,113 @@
+"""The rules of one section, asked: which can fire, which did, which are overridden.
+
+One idea: a rule that fires returns its decisions, and a rule in force withdraws those it
+overrides. Invariant: what a section decided does not depend on the order of its rules.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rulelang.closures import clear
+from rulelang.decisions import Foul
+from rulelang.program import SECTIONS, CompiledRule
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from rulelang.program import Program
+    from rulelang.watch import Watch
+
+Fired = list[tuple[CompiledRule, list[tuple[Any, ...]]]]
+FOULS, POINTS, TURN, TABLE, NEXT_SHOT, ENDING = range(1, 7)
+
+
+def enter(program: Program, c: Watch, stage: int) -> None:
+    """Move on to a section: what changes from section to section is read anew."""
+    c.stage = stage
+    clear(c.memo, program.staged)
+
+
+def ask(program: Program, c: Watch, stage: int, log: Any) -> Fired:
+    """Return the rules of a section that fired and are not overridden, with their decisions."""
+    c.stage = stage
+    name = SECTIONS[stage]
+    fired = fire(rules_of(program, name, c.phase), c)
+    beaten: dict[int, CompiledRule] = {}
+    if fired:
+        fired, beaten = override(fired)
+    if log is not None:
+        log.append((program.compiled[name], fired, beaten))
+    return fired
+
+
+def rules_of(program: Program, section: str, phase: str) -> tuple[CompiledRule, ...]:
+    """Return the rules of a section that can fire in a phase."""
+    found = program.by_phase.get(section, {}).get(phase)
+    if found is not None:
+        return found
+    rules = program.compiled.get(section, ())
+    return tuple(rule for rule in rules if rule.phases is None or phase in rule.phases)
+
+
+def fire(rules: Iterable[CompiledRule], c: Watch) -> Fired:
+    """Return the rules that fire, with their decisions."""
+    fired: Fired = []
+    happened = c.happened
+    for rule in rules:
+        if rule.needs and not rule.needs & happened:
+            continue
+        made = rule.run(c)
+        if made is not None:
+            fired.append((rule, made))
+    return fired
+
+
+def override(fired: Fired) -> tuple[Fired, dict[int, CompiledRule]]:
+    """Withdraw the rules that a rule in force overrides; overrides have no circles."""
+    overriding = [rule for rule, _ in fired if rule.overrides]
+    if not overriding:
+        return fired, {}
+    beaten: dict[int, CompiledRule] = {}
+    settled = False
+    while not settled:
+        now: dict[int, CompiledRule] = {}
+        for rule in overriding:
+            if rule.number not in beaten:
+                for number in rule.overrides:
+                    now.setdefault(number, rule)
+        settled = now.keys() == beaten.keys()
+        beaten = now
+    return [(rule, made) for rule, made in fired if rule.number not in beaten], beaten
+
+
+def judge_fouls(program: Program, c: Watch, log: Any) -> None:
+    """Ask the rules of the fouls; those that speak of fouls see what the others found."""
+    c.stage = FOULS
+    early = fire(rules_of(program, "fouls", c.phase), c)
+    c.fouls = _fouls(early)
+    c.legal = not c.fouls
+    late_rules = rules_of(program, "late fouls", c.phase)
+    if late_rules:
+        clear(c.memo, program.staged)
+        early += fire(late_rules, c)
+    fired, beaten = override(early)
+    if log is not None:
+        log.append(((*program.compiled["fouls"], *program.compiled["late fouls"]), fired, beaten))
+    c.fouls = _fouls(fired)
+    c.legal = not c.fouls
+    clear(c.memo, program.staged)
+
+
+def _fouls(fired: Fired) -> tuple[Foul, ...]:
+    found: dict[str, Foul] = {}
+    alone: dict[str, Foul] = {}
+    for rule, made in fired:
+        for d in made:
+            if d[0] != "foul":
+                continue
+            foul = Foul(d[1], d[2], rule.info.name, rule.info.cites)
+            table = alone if d[3] else found
+            if d[1] not in table or table[d[1]].worth < d[2]:
+                table[d[1]] = foul
+    return tuple((alone or found).values())

@@ -1,0 +1,187 @@
+"""A shot judged: fouls, points, turn, table, next shot, ending, asked in this order.
+
+One idea: a section's rules read what the sections before it left, and what they decide together
+becomes the next section's view. Invariant: a watch only moves on, never back to a section.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rulelang.closures import opponent
+from rulelang.decisions import Decisions, Ending, InHand, Offer
+from rulelang.explain import Explanation
+from rulelang.firing import (
+    ENDING,
+    NEXT_SHOT,
+    POINTS,
+    TABLE,
+    TURN,
+    Fired,
+    ask,
+    enter,
+    fire,
+    judge_fouls,
+)
+from rulelang.moment import endings_of, homes_of, look
+from rulelang.settle import (
+    Turn,
+    decide_in_hand,
+    decide_phase,
+    decide_turn,
+    offers_of,
+    sum_points,
+    table_actions,
+    write_state,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from rulelang.facts import Shot, Situation
+    from rulelang.program import Program
+    from rulelang.vocabulary import Tracked
+    from rulelang.watch import Watch
+
+
+def judge_shot(
+    program: Program, situation: Situation, shot: Shot, *, explain: bool
+) -> tuple[Watch, Decisions]:
+    """Return all decisions about a shot, and the watch as the last section left it."""
+    c = look(program, situation)
+    c.show(shot, program.settled_within)
+    log: list[Any] | None = [] if explain else None
+    views: list[tuple[Any, ...]] = []
+    judge_fouls(program, c, log)
+    _keep(views, c, log)
+    points = _points(program, c, log)
+    _keep(views, c, log)
+    turn = _turn(program, c, log)
+    _keep(views, c, log)
+    _table(program, c, log)
+    _keep(views, c, log)
+    in_hand, offers, written = _next_shot(program, c, log)
+    _keep(views, c, log)
+    ended, eliminated = _ending(program, situation, c, log)
+    next_player = _still_in(c, turn, eliminated)
+    if offers and not ended:
+        next_player = offers[0].player
+    over = bool(ended)
+    decisions = Decisions(
+        fouls=c.fouls,
+        points=points,
+        state=_reset(program, c.state, turn, written),
+        phase=c.next_phase,
+        next_player=next_player,
+        continues=turn.continues,
+        table=tuple(a for a in c.actions if not (over and type(a).__name__ == "Rerack")),
+        in_hand=None if over else in_hand,
+        offers=() if over else offers,
+        endings=ended,
+        eliminated=eliminated,
+        homes=c.homes,
+        explanation=() if log is None else Explanation(program, c, log, views),  # type: ignore[arg-type]
+    )
+    return c, decisions
+
+
+def _points(program: Program, c: Watch, log: Any) -> tuple[int, ...]:
+    fired = ask(program, c, POINTS, log)
+    points = sum_points(fired, c.players)
+    state = write_state(program, fired, c.state)
+    enter(program, c, TURN)
+    c.state = state
+    if any(points):
+        c.scores = tuple(a + b for a, b in zip(c.scores, points, strict=True))
+    return points
+
+
+def _turn(program: Program, c: Watch, log: Any) -> Turn:
+    fired = ask(program, c, TURN, log)
+    turn = decide_turn(fired, c)
+    c.state = write_state(program, fired, c.state)
+    c.continues, c.next_phase = turn.continues, decide_phase(fired) or c.phase
+    c.next_player = _to_play(c, turn)
+    enter(program, c, TABLE)
+    c.homes = homes_of(program, c)
+    return turn
+
+
+def _table(program: Program, c: Watch, log: Any) -> None:
+    fired = ask(program, c, TABLE, log)
+    c.state = write_state(program, fired, c.state)
+    c.actions = table_actions(program, fired, c)
+    enter(program, c, NEXT_SHOT)
+
+
+def _next_shot(
+    program: Program, c: Watch, log: Any
+) -> tuple[InHand | None, tuple[Offer, ...], set[str]]:
+    """Return the ball in hand, the offers, and the names of what was written."""
+    fired = ask(program, c, NEXT_SHOT, log)
+    in_hand, offers = decide_in_hand(fired), offers_of(fired)
+    before = c.state
+    c.state = write_state(program, fired, c.state)
+    written = _written(fired, before, c.state)
+    enter(program, c, ENDING)
+    return in_hand, offers, written
+
+
+def _written(fired: Fired, before: Mapping[str, Tracked], after: Mapping[str, Tracked]) -> set[str]:
+    if not fired:
+        return set()
+    changed = {name for name in after if after[name] != before.get(name)}
+    return changed | {d[2] for _, made in fired for d in made if d[0] == "write"}
+
+
+def _ending(
+    program: Program, situation: Situation, c: Watch, log: Any
+) -> tuple[tuple[Ending, ...], frozenset[int]]:
+    fired = ask(program, c, ENDING, log)
+    c.state = write_state(program, fired, c.state)
+    ended, eliminated = endings_of(fired, situation)
+    for ending in ended:
+        last = fire(program.compiled.get(f"{ending.unit} end", ()), c)
+        c.state = write_state(program, last, c.state)
+    return ended, eliminated
+
+
+def _keep(views: list[tuple[Any, ...]], c: Watch, log: Any) -> None:
+    """Keep what the next section sees, where an explanation may ask for it."""
+    if log is None:
+        return
+    views.append(
+        (
+            c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
+            c.actions, c.homes,
+        )
+    )  # fmt: skip
+
+
+def _to_play(c: Watch, turn: Turn) -> int:
+    if turn.continues:
+        return c.shooter
+    return opponent(c, c.shooter) if turn.player is None else turn.player
+
+
+def _still_in(c: Watch, turn: Turn, eliminated: frozenset[int]) -> int:
+    player = c.next_player
+    for _ in range(c.players):
+        if player not in eliminated:
+            return player
+        player = player % c.players + 1
+    return turn.player or player
+
+
+def _reset(
+    program: Program, state: Mapping[str, Tracked], turn: Turn, written: set[str]
+) -> Mapping[str, Tracked]:
+    """Set back what is tracked per shot, and per turn where the turn passes."""
+    changed: dict[str, Tracked] = {}
+    for name, track in program.tracked.items():
+        if track.scope == "shot" or (track.scope == "turn" and not turn.continues):
+            value = state.get(name)
+            if name in written:
+                continue
+            changed[name] = (track.start,) * len(value) if isinstance(value, tuple) else track.start
+    return {**state, **changed} if changed else state
