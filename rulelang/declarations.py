@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     Tell = Callable[[s.Script, Mistake], None]
 
+_FOUL = re.compile(r"(?<!is )(?<!of )\bfoul (?!is\b)([a-z][a-z0-9-]*)")
+"""What a rule that could not be read calls: its foul is known all the same."""
 _SCOPES = {"rack": "game", "frame": "game", "game": "game"}
 
 
@@ -168,6 +170,9 @@ class Declarations:
             for node in s.walk(rule.body):
                 if isinstance(node, s.Foul):
                     self.scope.fouls.setdefault(node.name)
+        for line in script.source.split("\n"):
+            for name in _FOUL.findall(line.split("#")[0]):
+                self.scope.fouls.setdefault(name)
 
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
@@ -175,6 +180,9 @@ class Declarations:
             r"^(?:define|track|fact) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
         ):
             self.scope.poisoned.add(name)
+        phases = re.search(r"^phases +([a-z0-9 ,-]+)", script.source, re.MULTILINE)
+        if phases:
+            self.scope.phases = tuple(re.findall(r"[a-z0-9-]+", phases.group(1)))
 
 
 def _line_of(script: s.Script, name: str) -> int:

@@ -6,6 +6,7 @@ Invariant: an error here is certain; what is only likely is a warning.
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from rulelang import syntax as s
@@ -38,7 +39,7 @@ def check_meaning(
     """
     written = [(script, rule) for script in scripts for rule in script.rules]
     _names(written, tell)
-    _overrides(written, tell)
+    _overrides(written, scripts, tell)
     _circles(written, tell)
     _clashes(rules, tell)
     if sound:
@@ -57,10 +58,13 @@ def _names(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
         seen.setdefault(rule.name, script)
 
 
-def _overrides(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
+def _overrides(written: list[tuple[s.Script, s.Rule]], scripts: list[s.Script], tell: Tell) -> None:
+    """Tell of overrides without a rule; a rule that could not be read is one all the same."""
     sections = {rule.name: rule.section for _, rule in written}
     for script, rule in written:
         for name, at in rule.overrides:
+            if name not in sections and any(_heads(one, name) for one in scripts):
+                continue
             if name not in sections:
                 mend = nearest(name, [n for n in sections if n]) or "name a rule of this game"
                 tell(script, Mistake("R403", at, f'there is no rule "{name}"', mend))
@@ -68,6 +72,10 @@ def _overrides(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
                 message = f'"{name}" stands in `{sections[name]}:`, this rule in `{rule.section}:`'
                 mend = "a rule can override rules of its own section"
                 tell(script, Mistake("R403", at, message, mend))
+
+
+def _heads(script: s.Script, name: str) -> bool:
+    return re.search(rf'^ *rule "{re.escape(name)}"', script.source, re.MULTILINE) is not None
 
 
 def _circles(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -66,9 +67,12 @@ def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, li
     if not source.endswith("\n"):
         source += "\n"
     mistakes = scan(source, file)
-    if mistakes:
+    if any(one.code == "R109" for one in mistakes):
         return Script(file, source, (), ()), mistakes
     parser = grammar(cache)
+    if mistakes:
+        script, found = _around(parser, source, file, {one.line for one in mistakes})
+        return script, mistakes + found
     tree = _try(parser, source)
     if not isinstance(tree, Exception):
         return building.script(tree, file, source), []
@@ -81,6 +85,20 @@ def _try(parser: Lark, text: str) -> Any:
         return parser.parse(text)
     except (UnexpectedInput, BadDedent) as trouble:
         return trouble
+
+
+def _around(
+    parser: Lark, source: str, file: str, wrong: set[int]
+) -> tuple[Script, list[Diagnostic]]:
+    """Read what stands around lines that are wrong already; a body may be missing for them."""
+    lines = enumerate(source.split("\n"), 1)
+    kept = [
+        line.expandtabs(4) if "\t" in line else "" if number in wrong else line
+        for number, line in lines
+    ]
+    script, found = _piecewise(parser, "\n".join(kept), file)
+    told = [one for one in found if one.line not in wrong and one.code != "R104"]
+    return replace(script, source=source), told
 
 
 def _piecewise(parser: Lark, source: str, file: str) -> tuple[Script, list[Diagnostic]]:
