@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.code import Code, Mistake
+from rulelang.constructs import expressions_in
 from rulelang.declarations import Declarations
+from rulelang.defines import defined
 from rulelang.diagnostics import Diagnostic, ScriptError
-from rulelang.expressions import Expressions
 from rulelang.meaning import check_meaning
 from rulelang.parse import parse
 from rulelang.program import (
@@ -152,7 +153,7 @@ class _Work:
                 if not isinstance(node, s.Home):
                     continue
                 try:
-                    balls = Expressions(scope, script.source).want(node.balls, k.BALLS)
+                    balls = expressions_in(scope, script.source).want(node.balls, k.BALLS)
                     made.append((balls.run, scope.place("spot", node.spot, node.at)))
                 except Mistake as trouble:
                     self.blame(scope, script, trouble)
@@ -166,14 +167,14 @@ class _Work:
                     self._define(scope, script, node)
                 if isinstance(node, s.Fact) and node.asked_on is not None:
                     try:
-                        Expressions(scope, script.source).want(node.asked_on, k.BALLS)
+                        expressions_in(scope, script.source).want(node.asked_on, k.BALLS)
                     except Mistake as trouble:
                         self.blame(scope, script, trouble)
 
     def _define(self, scope: Scope, script: s.Script, node: s.Define) -> None:
         used = set(scope.used)
         try:
-            Expressions(scope, script.source).defined(node.name, node.at)
+            defined(expressions_in(scope, script.source), node.name, node.at)
         except Mistake as trouble:
             self.blame(scope, script, trouble)
         scope.used = (scope.used - {node.name}) | (used & {node.name})
@@ -184,7 +185,7 @@ class _Work:
             return None
         scope.used.add("balls-on")
         try:
-            reader = Expressions(scope, "", frozen=True)
+            reader = expressions_in(scope, "", frozen=True)
             node = s.Name(s.Span(1, 1, 0, 0), "balls-on")
             return reader.want(node, k.BALLS).run
         except Mistake:

@@ -13,6 +13,7 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.closures import constant_name, joined, kind_mend
 from rulelang.code import Code, Mistake
+from rulelang.events_told import fits_set
 from rulelang.scope import nearest
 from rulelang.watch import at_cushion, lie_in, touching
 
@@ -79,12 +80,11 @@ class Conditions:
         test = self._members(node, base)
         whole, mask = base.run, test.run
         how, count, negated = subject.how, subject.count, node.negated
-        counts = self.x.happenings.count
 
         def run(c: Watch) -> bool:
             all_of = whole(c)
             hit = mask(c) & all_of
-            return counts(how, count, all_of & ~hit if negated else hit, all_of)
+            return fits_set(how, count, all_of & ~hit if negated else hit, all_of)
 
         return joined(Code(k.FLAG, run, shown=base), base, test)
 

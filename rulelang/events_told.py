@@ -187,3 +187,14 @@ def fits(how: str, number: int, count: int, whole: int | None) -> bool:
             return number < count
         case _:
             return number == count
+
+
+def fits_set(how: str, number: int, hit: int, whole: int) -> bool:
+    """Return whether the balls `hit` of the set `whole` fit a quantifier."""
+    if how == "any":
+        return hit != 0
+    if how == "no":
+        return hit == 0
+    if how == "every":
+        return hit == whole
+    return fits(how, hit.bit_count(), number, whole.bit_count())

@@ -28,24 +28,13 @@ class Happenings:
     def __init__(self, expressions: Expressions) -> None:
         self.x = expressions
 
-    @staticmethod
-    def count(how: str, number: int, hit: int, whole: int) -> bool:
-        """Return whether the balls `hit` of the set `whole` fit a quantifier."""
-        if how == "any":
-            return hit != 0
-        if how == "no":
-            return hit == 0
-        if how == "every":
-            return hit == whole
-        return t.fits(how, hit.bit_count(), number, whole.bit_count())
-
     def happened(self, node: s.Happened) -> Code:
         """Compile `SUBJECT EVENT`."""
         if node.subject is None:
             return self._alone(node)
         verb = node.verb
         if verb.word not in ("touching", "started in"):
-            self.x._after_shot(node, verb.word)  # noqa: SLF001
+            self.x.after_shot(node, verb.word)
         if verb.word in ("placed outside", "placed in"):
             return self._placed(node)
         subject = node.subject
@@ -65,7 +54,7 @@ class Happenings:
         return made
 
     def _told(self, telling: Telling, base: Code, how: str, number: int, *, negated: bool) -> Code:
-        subject, select, find, count = base.run, telling.select, telling.find, self.count
+        subject, select, find, count = base.run, telling.select, telling.find, t.fits_set
 
         def chosen(c: Watch, lo: int, hi: int) -> int:
             who: int = select(c, subject(c) if how != "only" else -1, lo, hi)
@@ -175,7 +164,7 @@ class Happenings:
 
     def _alone(self, node: s.Happened) -> Code:
         word = node.verb.word
-        self.x._after_shot(node, word)  # noqa: SLF001
+        self.x.after_shot(node, word)
         if word in t.FLAGS:
             return self._told(t.bare(t.FLAGS[word]), _one(), "any", 0, negated=False)
         if word == "stroke was played":

@@ -14,7 +14,7 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.closures import leader, opponent, singles
 from rulelang.code import Code, Mistake
-from rulelang.expressions import Expressions
+from rulelang.constructs import expressions_in
 from rulelang.program import Consequence
 from rulelang.scope import nearest
 
@@ -56,7 +56,7 @@ class Statements:
     def __init__(
         self, scope: Scope, source: str, section: str, rule: int, consequences: list[Consequence]
     ) -> None:
-        self.x = Expressions(scope, source)
+        self.x = expressions_in(scope, source)
         self.scope = scope
         self.section = section
         self.rule = rule

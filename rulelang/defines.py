@@ -1,0 +1,100 @@
+"""Defines, compiled: the cases of a name, worked out when first read and then remembered.
+
+One idea: a define has one Code for the whole program, two where it is also read frozen.
+Invariant: a define that reads itself is told, by way of which others; none is compiled twice.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rulelang import code as k
+from rulelang import syntax as s
+from rulelang.closures import chain, common_kind, derive, remembered
+from rulelang.code import Code, Mistake
+
+if TYPE_CHECKING:
+    from rulelang.expressions import Expressions
+
+
+def defined(x: Expressions, name: str, at: s.Span) -> Code:
+    """Return the Code of a define, compiled on first use."""
+    scope = x.scope
+    scope.used.add(name)
+    if name in scope.poisoned:
+        raise Mistake("R201", at, "", silent=True)
+    node = scope.defines[name]
+    frozen = x.frozen or node.frozen
+    key = (name, frozen)
+    if key not in scope.compiled:
+        if name in scope.busy:
+            circle = ", ".join([*scope.busy[scope.busy.index(name) :], name])
+            raise Mistake(
+                "R405", at, f'"{name}" reads itself: by way of {circle}', "break the circle"
+            )
+        scope.busy.append(name)
+        try:
+            scope.compiled[key] = cases(x.inside(name, frozen=frozen), node)
+        except Mistake as trouble:
+            trouble.owner = trouble.owner or name
+            scope.poisoned.add(name)
+            raise
+        finally:
+            scope.busy.pop()
+    made = scope.compiled[key]
+    return derive(
+        made, made.kind, made.run, truth=made.truth, domain=made.domain, needs=made.needs,
+        phases=made.phases,
+    )  # fmt: skip
+
+
+def cases(x: Expressions, node: s.Define) -> Code:
+    """Compile a define to a remembered value."""
+    codes = [(None if c is None else x.truth(c), v) for c, v in node.cases]
+    values = [_case_value(x, v) for _, v in codes]
+    kind = common_kind(values)
+    if kind is None:
+        found = " and ".join(sorted({k.SPOKEN[v.kind] for v in values}))
+        raise Mistake("R301", node.at, f'the cases of "{node.name}" are {found}', "one kind")
+    values = [
+        x.want(v, kind) if c.kind != kind else c for (_, v), c in zip(codes, values, strict=True)
+    ]
+    parts = [c for c, _ in codes if c is not None] + values
+    default: Any = {k.BALLS: 0, k.NUMBER: 0, k.FLAG: False, k.NAME: "none"}.get(kind)
+    pairs = [
+        (None if c is None else c.truth, v.run) for (c, _), v in zip(codes, values, strict=True)
+    ]
+    staged = any(p.staged for p in parts)
+    slot = x.scope.memo_size
+    x.scope.memo_size += 1
+    if staged:
+        x.scope.staged.append(slot)
+    made = derive(values[0], kind, remembered(slot, chain(pairs, default)))
+    if len(codes) == 1 and codes[0][0] is None:
+        made.needs, made.phases = values[0].needs, values[0].phases
+    else:
+        made.word = ""
+    made.parts = tuple(parts)
+    made.constant = None
+    made.staged = staged
+    made.since = max(p.since for p in parts)
+    made.fouls = any(p.fouls for p in parts)
+    made.text = node.name
+    if len(node.cases) == 1:
+        made.shown = values[0]
+        made.word = "define"
+    if kind == k.BALLS:
+        run = made.run
+        made.truth = lambda c: run(c) != 0
+    return made
+
+
+def _case_value(x: Expressions, node: s.Expr) -> Code:
+    made = x.value(node)
+    if made.truth is not None and not (isinstance(node, s.Happened) and made.kind == k.BALLS):
+        if made.kind == k.BALLS and not isinstance(node, s.Quantified):
+            return made
+        return derive(
+            made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases
+        )
+    return made
