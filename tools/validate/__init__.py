@@ -1,0 +1,1 @@
+"""Published figures against the simulator: `python -m tools.validate FILE... [--json]`."""
