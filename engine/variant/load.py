@@ -182,12 +182,37 @@ def _prune(plain: object, path: KeyPath) -> None:
         plain = plain[key]
 
 
+_STAND_INS: dict[str, object] = {
+    "title": "?", "rulebook": "?", "players": 2, "colour": "#808080",
+    "length": 2.54, "width": 1.27, "nose_height": 0.036, "rail_width": 0.1,
+    "diameter": 0.057, "mass": 0.17, "restitution": 0.9, "friction": 0.2, "friction_floor": 0.01,
+    "sliding": 0.2, "rolling": 0.01, "spin_deceleration": 10.0,
+    "tip_restitution": 0.7, "tip_friction": 0.6, "end_mass_ratio": 20.0,
+}  # fmt: skip
+"""What is taken for a value that is missing or wrong, so that the rest can be judged."""
+
+
+def _stand_in(plain: object, path: KeyPath) -> None:
+    """Put a sensible value at `path`, or at what encloses it, where one is known."""
+    for index, key in enumerate(path):
+        if not isinstance(plain, dict):
+            return
+        if key not in plain and key in _STAND_INS:
+            plain[key] = _STAND_INS[str(key)]
+            return
+        if index < len(path) - 1:
+            plain = plain.get(key)
+
+
 _LEANS_ON: dict[str, tuple[KeyPath, ...]] = {
     "V301": (("table", "spots"),),
     "V302": (("balls", "ball"), ("rack",)),
     "V303": (("table", "lines"),),
     "V305": (("rack",),),
     "V306": (("balls",),),
+    "V401": (("table", "length"), ("table", "width")),
+    "V404": (("table", "length"), ("table", "width")),
+    "V408": (("table", "length"), ("table", "width"), ("table", "lines")),
     "V402": (("rack",), ("balls",), ("table",)),
     "V403": (("rack",), ("balls",), ("table",)),
     "V405": (("table",),),
@@ -221,6 +246,8 @@ def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
         unknown = one["type"] == "extra_forbidden" and isinstance(one["input"], dict)
         wrong.add(path[:-1] if unknown else path)
         _prune(plain, path)
+        if one["type"] != "extra_forbidden":
+            _stand_in(plain, path)
     try:
         spec = VariantSpec.model_validate(plain)
     except ValidationError:

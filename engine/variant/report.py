@@ -17,7 +17,7 @@ from pydantic import BaseModel
 from engine.variant.spec import VariantSpec
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable
+    from collections.abc import Collection, Iterable, Mapping
 
     from pydantic import ValidationError
     from pydantic_core import ErrorDetails
@@ -120,8 +120,14 @@ def _kind_mend(one: ErrorDetails) -> str:
     if kind == "list_type" and isinstance(written, str):
         return f'write a list in square brackets: ["{written[:60]}"]'
     if kind in _RANGES:
-        return "keep to this bound" if _numeric(written) else "keep to this length"
+        return _bound_mend(one.get("ctx", {})) if _numeric(written) else "keep to this length"
     return _KINDS.get(kind, "")
+
+
+def _bound_mend(context: Mapping[str, Any]) -> str:
+    words = {"ge": "{} or more", "gt": "more than {}", "le": "{} or less", "lt": "less than {}"}
+    told = [words[key].format(value) for key, value in context.items() if key in words]
+    return f"write {', '.join(told)}" if told else "keep to this bound"
 
 
 def _numeric(written: object) -> bool:
