@@ -268,6 +268,9 @@ def _all(tests: tuple[Any, ...]) -> k.Run:
     if len(tests) == 2:
         a, b = tests
         return lambda c: a(c) and b(c)
+    if len(tests) == 3:
+        a, b, d = tests
+        return lambda c: a(c) and b(c) and d(c)
 
     def run(c: Watch) -> bool:
         for test in tests:  # noqa: SIM110
@@ -282,6 +285,9 @@ def _any(tests: tuple[Any, ...]) -> k.Run:
     if len(tests) == 2:
         a, b = tests
         return lambda c: a(c) or b(c)
+    if len(tests) == 3:
+        a, b, d = tests
+        return lambda c: a(c) or b(c) or d(c)
 
     def run(c: Watch) -> bool:
         for test in tests:  # noqa: SIM110

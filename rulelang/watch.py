@@ -106,32 +106,51 @@ class Watch:
         index = _Index(self, delay)
         for number, event in enumerate(shot.events):
             _HANDLERS[type(event)](index, number, event)
-        seen, happened = self.seen, 0
-        for verb, rows in enumerate(self.ev):
-            if rows:
-                happened |= 1 << verb
-                mask = 0
-                for row in rows:
-                    mask |= row[1]
-                seen[verb] = mask
-        self.happened = happened
+        self._sum_up(index)
+        seen = self.seen
         self.on_after = self.on_before & ~(seen[POCKETED] | seen[LEFT_TABLE])
         self.stroke = not seen[OMITTED]
 
+    def _sum_up(self, index: _Index) -> None:
+        """Tell for each verb whether it happened, and who did it."""
+        seen, happened = self.seen, 0
+        ready = {HIT: index.struck, CUSHION: index.cushioned}
+        if len(index.rails) == len(index.cushions):
+            ready[RAIL] = index.cushioned
+        for verb, rows in enumerate(self.ev):
+            if rows:
+                happened |= 1 << verb
+                mask = ready.get(verb, 0)
+                if not mask:
+                    for row in rows:
+                        mask |= row[1]
+                seen[verb] = mask
+        self.happened = happened
+
 
 class _Index:
-    """Sorts events into a watch; remembers what lies frozen and what is gone."""
+    """Sorts events into a watch; remembers what lies frozen and what is gone.
 
-    __slots__ = ("bits", "cue", "delay", "ev", "gone", "moved", "pairs", "watch")
+    `struck` are the balls of all hits, `cushioned` those of all cushions, `moved` those that
+    touched something else while any ball lay frozen.
+    """
+
+    __slots__ = (
+        "bits", "cue", "cue_hits", "cushioned", "cushions", "delay", "ev", "gone", "hits", "moved",
+        "pairs", "rails", "struck",
+    )  # fmt: skip
 
     def __init__(self, watch: Watch, delay: float) -> None:
-        self.watch = watch
         self.ev = watch.ev
+        self.hits, self.cushions, self.rails = watch.ev[HIT], watch.ev[CUSHION], watch.ev[RAIL]
+        self.cue_hits = watch.cue_hits
         self.bits = watch.bits
         self.cue = watch.cue
         self.delay = delay
         self.gone = 0
         self.moved = 0
+        self.struck = 0
+        self.cushioned = 0
         self.pairs = set(watch.situation.frozen)
         if self.pairs:
             self.pairs |= {(b, a) for a, b in self.pairs}
@@ -143,37 +162,35 @@ def _balls_hit(x: _Index, number: int, event: Any) -> None:
     others = 0
     for name in event.others:
         others |= bits[name]
-    if x.gone and (ball | others) & x.gone:
-        x.ev[HIT_POCKETED].append((number, (ball | others) & ~x.gone, ball | others))
+    both = ball | others
+    if both & x.gone:
+        x.ev[HIT_POCKETED].append((number, both & ~x.gone, both))
         return
-    hit = x.ev[HIT]
-    hit.append((number, ball, others))
-    hit.append((number, others, ball))
-    if ball == x.cue:
-        x.watch.cue_hits.append((number, others))
-    elif others & x.cue:
-        x.watch.cue_hits.append((number, ball))
-    if x.pairs and not ball & x.moved:
+    x.hits += ((number, ball, others), (number, others, ball))
+    if both & x.cue:
+        x.cue_hits.append((number, others if ball == x.cue else ball))
+    if x.pairs and not ball & (x.moved | x.struck):
         for name in event.others:
             if (event.ball, name) in x.pairs:
                 x.ev[PRESSED].append((number, ball, bits[name]))
                 x.ev[PRESSED].append((number, bits[name], ball))
-    x.moved |= ball | others
+    x.struck |= both
 
 
 def _cushion_hit(x: _Index, number: int, event: Any) -> None:
     ball = x.bits[event.ball]
-    x.moved |= ball
     row = (number, ball, event.cushion)
     if x.pairs:
+        x.moved |= ball
         mine = (event.ball, f"cushion {event.cushion}")
         if mine in x.pairs:
             x.ev[PRESSED_CUSHION].append(row)
             return
         stale = [p for p in x.pairs if p[0] == event.ball and p[1].startswith("cushion ")]
         x.pairs.difference_update(stale)
-    x.ev[CUSHION].append(row)
-    x.ev[RAIL].append(row)
+    x.cushioned |= ball
+    x.cushions.append(row)
+    x.rails.append(row)
 
 
 def _cushion_left(x: _Index, number: int, event: Any) -> None:
