@@ -10,7 +10,7 @@ from math import hypot, sqrt
 from typing import TYPE_CHECKING
 
 from engine.game.situation import TOUCHING, Pair
-from engine.table.furniture import Straight
+from engine.table.region import distance_to
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -39,8 +39,7 @@ def _cushions(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]
             continue
         reach = nose_reach(ball.radius, world.table.nose_height) + TOUCHING
         for cushion in world.table.cushions:
-            noses = [shape for shape in cushion.shapes if isinstance(shape, Straight)]
-            if any(_distance(place, nose) <= reach for nose in noses):
+            if any(distance_to(nose, place) <= reach for nose in cushion.shapes):
                 yield ball.id, as_cushion(cushion.id)
 
 
@@ -52,11 +51,3 @@ def as_cushion(cushion: CushionId | str) -> str:
 def nose_reach(radius: float, nose_height: float) -> float:
     """Return how far (m) over the bed a ball's centre is from a nose that it touches."""
     return sqrt(max(radius**2 - (nose_height - radius) ** 2, 0.0))
-
-
-def _distance(point: Point, nose: Straight) -> float:
-    (x, y), (ax, ay), (bx, by) = point, nose.start, nose.end
-    dx, dy = bx - ax, by - ay
-    along = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
-    along = min(max(along, 0.0), 1.0)
-    return hypot(x - ax - along * dx, y - ay - along * dy)

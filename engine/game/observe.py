@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import groupby
-from math import hypot
 from typing import TYPE_CHECKING
 
 from engine.game.contacts import as_cushion, nose_reach
@@ -17,8 +16,8 @@ from engine.game.shot import Shot, as_written
 from engine.game.situation import TOUCHING, Rest, Situation, cue_ball_of
 from engine.physics import events as seen
 from engine.physics.simulate import simulate
-from engine.table.furniture import Straight
 from engine.table.marks import Piece, crossings, zone_changes
+from engine.table.region import distance_to
 from rulelang import events as told
 
 if TYPE_CHECKING:
@@ -161,12 +160,4 @@ def _bisect(cushion: Cushion, way: Piece, clear: float, low: float, high: float)
 
 
 def _gap(cushion: Cushion, way: Piece, s: float) -> float:
-    x, y = way.at(s)
-    noses = [shape for shape in cushion.shapes if isinstance(shape, Straight)]
-    return min(_from_line(x, y, nose) for nose in noses)
-
-
-def _from_line(x: float, y: float, nose: Straight) -> float:
-    (ax, ay), (bx, by) = nose.start, nose.end
-    length = hypot(bx - ax, by - ay)
-    return abs((x - ax) * (by - ay) - (y - ay) * (bx - ax)) / length
+    return min(distance_to(nose, way.at(s)) for nose in cushion.shapes)

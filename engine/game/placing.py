@@ -16,6 +16,7 @@ from engine.game.sight import View, path_to
 from engine.game.situation import Situation, cue_ball_of
 from engine.table.furniture import BallId, Places
 from engine.table.marks import contains
+from engine.table.region import has_room
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -39,7 +40,7 @@ def refuse_place(variant: Variant, situation: Situation, at: Point) -> Refusal |
     if other is not None:
         return Refusal(f"there is no room beside {other}", "move it clear of the other balls")
     radius = next(one.radius for one in variant.world.balls if one.id == ball)
-    if abs(at[0]) > table.length / 2 - radius or abs(at[1]) > table.width / 2 - radius:
+    if not has_room(table, at, radius):
         return Refusal("the ball does not lie on the bed", "move it away from the cushion")
     if not contains(table.zones[zone], at, table):
         return Refusal(f"that is outside {zone}", f"the ball is in hand in {zone}")

@@ -121,7 +121,12 @@ Zone = Area | Places
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """One table as it stands in the room; lengths in metres."""
+    """One table as it stands in the room; lengths in metres.
+
+    `outline` is the closed chain of noses round the bed, counter-clockwise, as if no pocket were
+    cut into it; where it is empty, the bed is the rectangle of `length` and `width`. These are the
+    sizes of the box about the bed, whose middle is the origin.
+    """
 
     length: float
     width: float
@@ -133,3 +138,4 @@ class Table:
     lines: Mapping[LineId, Line] = field(default_factory=lambda: MappingProxyType({}))
     zones: Mapping[ZoneId, Zone] = field(default_factory=lambda: MappingProxyType({}))
     rail_width: float = 0.12
+    outline: tuple[Shape, ...] = ()

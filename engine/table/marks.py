@@ -12,7 +12,8 @@ from itertools import pairwise
 from math import hypot, sqrt
 from typing import TYPE_CHECKING
 
-from engine.table.furniture import Disc, HalfPlane, Line, Places
+from engine.table.furniture import Disc, HalfPlane, Line, Places, Straight
+from engine.table.region import ends, has_room, obstacles, on_bed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -85,8 +86,7 @@ def _border(*, closed: bool) -> float:
 
 
 def _on_bed(point: Point, table: Table) -> bool:
-    x, y = abs(point[0]), abs(point[1])
-    if x <= table.length / 2 + ON and y <= table.width / 2 + ON:
+    if on_bed(table, point, ON):
         return True
     for pocket in table.pockets:
         (ax, ay), (bx, by) = pocket.mouth
@@ -163,7 +163,7 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
     """Return polynomials in s that are zero wherever the answer of `contains` can change."""
     if isinstance(zone, Places):
         return tuple(_from_centre(place, ON, piece) for place in zone.points)
-    borders = [
+    borders = _outline_borders(table, piece) or [
         _shifted(_distance_along(normal, (0.0, 0.0), piece), -half - ON)
         for normal, half in (
             ((1.0, 0.0), table.length / 2),
@@ -185,6 +185,21 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
             normal = part.normal[0] / size, part.normal[1] / size
             borders.append(_shifted(_distance_along(normal, part.point, piece), border))
     return tuple(borders)
+
+
+def _outline_borders(table: Table, piece: Piece) -> list[Polynomial]:
+    """Return the borders of a bed with an outline: `ON` outside of every nose and its ends."""
+    borders: list[Polynomial] = []
+    for shape in table.outline:
+        start, end = ends(shape)
+        borders.append(_from_centre(start, ON, piece))
+        if isinstance(shape, Straight):
+            border = _distance_along(_normal(Line(start, end)), start, piece)
+            borders.append(_shifted(border, ON))
+        else:
+            radius = shape.radius + (ON if shape.sweep > 0.0 else -ON)
+            borders.append(_from_centre(shape.centre, radius, piece))
+    return borders
 
 
 def _distance_along(normal: Point, origin: Point, piece: Piece) -> Polynomial:
@@ -298,26 +313,26 @@ def nearest_place(
 ) -> Point | None:
     """Return the place nearest to `spot`, on the straight way `toward`, where a ball can stand.
 
-    The ball keeps `gap` (m) to every other ball (centre, radius) and lies wholly on the bed; None
-    where the way to the cushion has no room. Sources: WPA 2025 1.5; WPBSA section 3 rule 7.
+    The ball keeps `gap` (m) to every other ball (centre, radius), lies wholly on the bed and on
+    no post or hole; None where the way to the cushion has no room. Sources: WPA 2025 1.5; WPBSA
+    section 3 rule 7.
     """
-    size = hypot(*toward)
-    way = toward[0] / size, toward[1] / size
+    long = hypot(*toward)
+    way = toward[0] / long, toward[1] / long
     covered = sorted(
         interval
-        for other, other_radius in others
-        if (interval := _covered(spot, way, other, radius + other_radius + gap)) is not None
+        for other, reach in (
+            *((other, radius + size + gap) for other, size in others),
+            *obstacles(table, radius),
+        )
+        if (interval := _covered(spot, way, other, reach)) is not None
     )
     at = 0.0
     for low, high in covered:
         if low + _ROUND < at < high - _ROUND:
             at = high
     place = spot[0] + way[0] * at, spot[1] + way[1] * at
-    fits = (
-        abs(place[0]) <= table.length / 2 - radius + 1e-9
-        and abs(place[1]) <= table.width / 2 - radius + 1e-9
-    )
-    return place if fits else None
+    return place if has_room(table, place, radius) else None
 
 
 def _covered(spot: Point, way: Point, other: Point, reach: float) -> tuple[float, float] | None:

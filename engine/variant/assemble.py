@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from engine.physics.world import Ball
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import BallShape, SettingShape, VariantSpec
+    from engine.variant.spec import BallShape, SettingShape, TableShape, VariantSpec
     from engine.variant.variant import BallKind, Rack
 
 
@@ -59,7 +59,7 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     rack = build_rack(spec.rack, balls, physical, surveyor)
     kinds = ball_kinds(balls, report)
     _check_names(spec, balls, report)
-    _check_sizes(spec, physical, report)
+    _check_sizes(spec, surveyor.bed.width, physical, report)
     cue_balls = _cue_balls(spec, balls, report)
     players = _players(spec, report)
     settings = _settings(spec, report)
@@ -93,14 +93,17 @@ def _check_names(spec: VariantSpec, balls: Mapping[str, BallShape], report: Repo
             marks.setdefault(name, kind)
 
 
-def _check_sizes(spec: VariantSpec, balls: Sequence[Ball], report: Report) -> None:
+def _mouths(table: TableShape) -> list[float]:
+    """Return what balls must pass (m): mouths as they are cut, and holes."""
+    cuts = [table.pockets.corner, table.pockets.side] if table.pockets else []
+    cuts += table.outline.cuts.values() if table.outline else []
+    return [cut.mouth for cut in cuts] + [2 * hole.radius for hole in table.holes.values()]
+
+
+def _check_sizes(spec: VariantSpec, width: float, balls: Sequence[Ball], report: Report) -> None:
     """Report balls that fit no pocket or that the noses meet below their middle."""
     told: set[KeyPath] = set()
-    mouths = (
-        [spec.table.pockets.corner.mouth, spec.table.pockets.side.mouth]
-        if (spec.table.pockets)
-        else []
-    )
+    mouths = _mouths(spec.table)
     for ball in balls:
         path = place_of(ball.id, report, "diameter")
         if len(path) < 4:
@@ -112,7 +115,7 @@ def _check_sizes(spec: VariantSpec, balls: Sequence[Ball], report: Report) -> No
         if mouths and size >= min(mouths):
             message = f"a ball of {size * 1000:.1f} mm passes no mouth of {min(mouths) * 1000:.1f}"
             report.add("V406", path, message + " mm", "smaller balls or wider mouths")
-        elif size > spec.table.width / 4:
+        elif size > width / 4:
             report.add(
                 "V406",
                 path,

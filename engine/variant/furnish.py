@@ -11,7 +11,6 @@ from math import hypot
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from engine.table.build import PocketCut, build_table
 from engine.table.furniture import (
     Area,
     Disc,
@@ -22,6 +21,8 @@ from engine.table.furniture import (
     SpotId,
     ZoneId,
 )
+from engine.table.region import has_room, obstacles, on_bed, span_at
+from engine.variant.outlining import bare_table, bed_size, plain_table, with_bodies
 from engine.variant.quantity import QuantityError
 
 if TYPE_CHECKING:
@@ -31,10 +32,9 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.quantity import Expression
     from engine.variant.report import Report
-    from engine.variant.spec import LineShape, Place, PocketShape, TableShape, ZoneShape
+    from engine.variant.spec import LineShape, Place, RoundShape, TableShape, ZoneShape
 
 _EDGE = 1e-9
-_CUTS = "compare mouth, cut, shelf, jaw_radius and radius with those of a shipped table"
 
 
 class Surveyor:
@@ -43,9 +43,24 @@ class Surveyor:
     def __init__(self, spec: TableShape, radius: float, report: Report) -> None:
         self.spec = spec
         self.report = report
-        self.names = {"L": spec.length, "W": spec.width, "R": radius}
+        size = bed_size(spec, report)
+        self.names = {"L": size[0], "W": size[1], "R": radius}
         self.open: set[str] = set()
         self.done: dict[str, Point | None] = {}
+        bare = bare_table(spec, size, radius, report)
+        self.sound = bare is not None
+        bare = bare or plain_table(spec, size)
+        self.bed = with_bodies(bare, self.bodies("posts"), self.bodies("holes"), report)
+
+    def bodies(self, key: str) -> dict[str, tuple[Point, float]]:
+        """Return the posts or the holes: names, centres and radii (m)."""
+        found = {}
+        shapes: dict[str, RoundShape] = getattr(self.spec, key)
+        for name, shape in shapes.items():
+            at = self.point(shape.at, ("table", key, name, "at"))
+            if at is not None:
+                found[name] = at, shape.radius
+        return found
 
     def number(self, expression: Expression | None, path: KeyPath) -> float | None:
         """Return a coordinate in metres; None, and a mistake, where it cannot be had."""
@@ -88,10 +103,16 @@ class Surveyor:
 
     def on_bed(self, point: Point, margin: float = 0.0) -> bool:
         """Tell whether a point lies on the bed, `margin` away from the noses at least."""
-        return (
-            abs(point[0]) <= self.spec.length / 2 - margin + _EDGE
-            and abs(point[1]) <= self.spec.width / 2 - margin + _EDGE
+        if margin > 0.0:
+            return has_room(self.bed, point, margin)
+        return self.within_noses(point) and all(
+            hypot(point[0] - at[0], point[1] - at[1]) > reach
+            for at, reach in obstacles(self.bed, 0.0)
         )
+
+    def within_noses(self, point: Point) -> bool:
+        """Tell whether a point lies on the bed, whatever stands or gapes there."""
+        return on_bed(self.bed, point, _EDGE)
 
     def spots(self) -> dict[SpotId, Point]:
         """Return all spots; one that cannot be placed is reported and stands in the middle."""
@@ -100,7 +121,11 @@ class Surveyor:
             path: KeyPath = ("table", "spots", name)
             point = self.spot(name, path)
             if point is not None and not self.on_bed(point):
-                half = f"x within {self.spec.length / 2:g} m, y within {self.spec.width / 2:g} m"
+                half = f"x within {self.bed.length / 2:g} m, y within {self.bed.width / 2:g} m"
+                if self.within_noses(point):
+                    half = "clear of posts and holes"
+                elif self.bed.outline:
+                    half = "move it inside the outline"
                 self.report.add("V401", path, f"spot `{name}` is not on the bed", half)
             found[SpotId(name)] = point or (0.0, 0.0)
         return found
@@ -115,7 +140,6 @@ class Surveyor:
 
     def line(self, shape: LineShape, path: KeyPath) -> Line | None:
         """Return one line; x runs across the bed, y along it."""
-        half_length, half_width = self.spec.length / 2, self.spec.width / 2
         forms = (shape.x is not None, shape.y is not None, shape.start is not None)
         if sum(forms) != 1 or (shape.start is None) != (shape.end is None):
             mend = 'write x = "-L/4", or y = 0, or start and end'
@@ -125,14 +149,12 @@ class Surveyor:
             start = self.point(shape.start, (*path, "start"))
             end = self.point(shape.end, (*path, "end"))
         elif shape.x is not None:
-            x = self.number(shape.x, (*path, "x"))
-            start, end = (None, None) if x is None else ((x, -half_width), (x, half_width))
+            start, end = self.across(0, self.number(shape.x, (*path, "x")))
         else:
-            y = self.number(shape.y, (*path, "y"))
-            start, end = (None, None) if y is None else ((-half_length, y), (half_length, y))
+            start, end = self.across(1, self.number(shape.y, (*path, "y")))
         if start is None or end is None:
             return None
-        if start == end or not (self.on_bed(start) and self.on_bed(end)):
+        if start == end or not (self.within_noses(start) and self.within_noses(end)):
             self.report.add(
                 "V404",
                 path,
@@ -141,6 +163,13 @@ class Surveyor:
             )
             return None
         return Line(start, end, shape.drawn)
+
+    def across(self, axis: int, value: float | None) -> tuple[Point | None, Point | None]:
+        """Return the ends of a line across the bed (axis 0) or along it (axis 1)."""
+        if value is None:
+            return None, None
+        low, high = span_at(self.bed, axis, value) or (0.0, 0.0)
+        return ((value, low), (value, high)) if axis == 0 else ((low, value), (high, value))
 
     def zones(self, lines: Mapping[LineId, Line]) -> dict[ZoneId, Zone]:
         """Return all zones; one that cannot be drawn is reported, and only its name is right."""
@@ -210,7 +239,7 @@ class Surveyor:
         """Tell, on a grid of the bed and at the discs' centres, whether a zone is not empty."""
         steps = 40
         grid = [
-            (self.spec.length * (i / steps - 0.5), self.spec.width * (j / steps - 0.5))
+            (self.bed.length * (i / steps - 0.5), self.bed.width * (j / steps - 0.5))
             for i in range(steps + 1)
             for j in range(steps + 1)
         ]
@@ -219,7 +248,7 @@ class Surveyor:
                 reach = part.radius / 2
                 ways = ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))
                 grid += [(part.centre[0] + reach * a, part.centre[1] + reach * b) for a, b in ways]
-        return any(self.on_bed(point) and _inside(zone, point) for point in grid)
+        return any(self.within_noses(point) and _inside(zone, point) for point in grid)
 
 
 _WAYS = MappingProxyType(
@@ -258,34 +287,13 @@ def _inside(zone: Area, point: Point) -> bool:
 
 def furnish(surveyor: Surveyor) -> Table | None:
     """Return the table with its marks; None, and a mistake, where it cannot be built."""
-    spec, report = surveyor.spec, surveyor.report
     spots, lines = surveyor.spots(), surveyor.lines()
     zones = surveyor.zones(lines)
-    pockets: KeyPath = ("table", "pockets")
-    corner = side = None
-    if spec.pockets is not None:
-        corner = _cut(spec.pockets.corner, (*pockets, "corner"), report)
-        side = _cut(spec.pockets.side, (*pockets, "side"), report)
-        if corner is None or side is None:
-            return None
-    try:
-        table = build_table(
-            spec.length, spec.width, spec.nose_height, corner, side, spec.rail_width
-        )
-    except ValueError as error:
-        report.add("V405", pockets, str(error), _CUTS, on_key=True)
+    if not surveyor.sound:
         return None
     return replace(
-        table,
+        surveyor.bed,
         spots=MappingProxyType(spots),
         lines=MappingProxyType(lines),
         zones=MappingProxyType(zones),
     )
-
-
-def _cut(shape: PocketShape, path: KeyPath, report: Report) -> PocketCut | None:
-    try:
-        return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)
-    except ValueError as error:
-        report.add("V405", path, str(error), _CUTS, on_key=True)
-        return None

@@ -148,12 +148,53 @@ class Rubber(Shape):
     friction: Factor
 
 
+def _pair(written: object) -> object:
+    if isinstance(written, list) and len(written) == 2:
+        return tuple(written)
+    if isinstance(written, tuple):
+        return written
+    mend = 'write ["1.27 m", "-0.635 m"]'
+    raise mistake("V110", "a corner of an outline has two lengths, in a list", mend)
+
+
+Pair = Annotated[tuple[Metres, Metres], BeforeValidator(_pair)]
+
+
+class CornerShape(Shape):
+    """A corner of an outline and the cushion from here to the next: straight, or an arc."""
+
+    at: Pair
+    cushion: Name
+    through: Pair | None = None
+    radius: Size | None = None
+    round: Gap | None = None
+    pocket: Name | None = None
+    cut: Name | None = None
+
+
+class OutlineShape(Shape):
+    """A closed chain of cushions, and the ways in which pockets are cut into it."""
+
+    corners: Annotated[list[CornerShape], Field(min_length=2, max_length=200)]
+    cuts: dict[Name, PocketShape] = {}
+
+
+class RoundShape(Shape):
+    """A post that stands on the bed, or a hole in it."""
+
+    at: Point
+    radius: Size
+
+
 class TableShape(Shape):
-    """The furniture."""
+    """The furniture; a rectangle has length and width, any other table an outline."""
 
     source: str = ""
-    length: Size
-    width: Size
+    length: Size | None = None
+    width: Size | None = None
+    outline: OutlineShape | None = None
+    posts: dict[Name, RoundShape] = {}
+    holes: dict[Name, RoundShape] = {}
     nose_height: Size
     rail_width: Size
     rail_colour: Rgb = (92, 51, 23)
