@@ -50,43 +50,51 @@ def defined(x: Expressions, name: str, at: s.Span) -> Code:
 
 def cases(x: Expressions, node: s.Define) -> Code:
     """Compile a define to a remembered value."""
-    codes = [(None if c is None else x.truth(c), v) for c, v in node.cases]
-    values = [_case_value(x, v) for _, v in codes]
-    kind = common_kind(values)
-    if kind is None:
-        found = " and ".join(sorted({k.SPOKEN[v.kind] for v in values}))
-        raise Mistake("R301", node.at, f'the cases of "{node.name}" are {found}', "one kind")
-    values = [
-        x.want(v, kind) if c.kind != kind else c for (_, v), c in zip(codes, values, strict=True)
-    ]
-    parts = [c for c, _ in codes if c is not None] + values
+    tests = [None if c is None else x.truth(c) for c, _ in node.cases]
+    kind, values = _of_one_kind(x, node)
+    parts = [test for test in tests if test is not None] + values
     default: Any = {k.BALLS: 0, k.NUMBER: 0, k.FLAG: False, k.NAME: "none"}.get(kind)
     pairs = [
-        (None if c is None else c.truth, v.run) for (c, _), v in zip(codes, values, strict=True)
+        (None if test is None else test.truth, value.run)
+        for test, value in zip(tests, values, strict=True)
     ]
-    staged = any(p.staged for p in parts)
-    slot = x.scope.memo_size
-    x.scope.memo_size += 1
-    if staged:
-        x.scope.staged.append(slot)
-    made = derive(values[0], kind, remembered(slot, chain(pairs, default)))
-    if len(codes) == 1 and codes[0][0] is None:
-        made.needs, made.phases = values[0].needs, values[0].phases
-    else:
-        made.word = ""
-    made.parts = tuple(parts)
-    made.constant = None
-    made.staged = staged
-    made.since = max(p.since for p in parts)
-    made.fouls = any(p.fouls for p in parts)
-    made.text = node.name
+    staged = any(part.staged for part in parts)
+    made = derive(values[0], kind, remembered(_slot(x, staged=staged), chain(pairs, default)))
+    made.word = ""
     if len(node.cases) == 1:
-        made.shown = values[0]
-        made.word = "define"
+        made.shown, made.word = values[0], "define"
+        if tests[0] is None:
+            made.needs, made.phases = values[0].needs, values[0].phases
+    made.parts, made.constant, made.text = tuple(parts), None, node.name
+    made.staged = staged
+    made.since = max(part.since for part in parts)
+    made.fouls = any(part.fouls for part in parts)
     if kind == k.BALLS:
         run = made.run
         made.truth = lambda c: run(c) != 0
     return made
+
+
+def _of_one_kind(x: Expressions, node: s.Define) -> tuple[str, list[Code]]:
+    """Return the values of all cases, and the kind they share; raise R301 where they do not."""
+    values = [_case_value(x, value) for _, value in node.cases]
+    kind = common_kind(values)
+    if kind is None:
+        found = " and ".join(sorted({k.SPOKEN[value.kind] for value in values}))
+        raise Mistake("R301", node.at, f'the cases of "{node.name}" are {found}', "one kind")
+    return kind, [
+        x.want(written, kind) if value.kind != kind else value
+        for (_, written), value in zip(node.cases, values, strict=True)
+    ]
+
+
+def _slot(x: Expressions, *, staged: bool) -> int:
+    """Return a place of the memory; what is staged is forgotten at every section."""
+    slot = x.scope.memo_size
+    x.scope.memo_size += 1
+    if staged:
+        x.scope.staged.append(slot)
+    return slot
 
 
 def _case_value(x: Expressions, node: s.Expr) -> Code:

@@ -15,6 +15,7 @@ from rulelang.closures import derive, joined, leader, opponent, singles
 from rulelang.code import Code
 from rulelang.events_told import fits_set
 from rulelang.program import STAGE
+from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
     from rulelang.expressions import Expressions
@@ -151,10 +152,11 @@ def opponent_of(x: Expressions, node: s.OpponentOf) -> Code:
 
 def _ordinal(words: str) -> k.Run:
     which = ORDINALS[words.partition(" ")[0]]
+    enough = max(which, 0)
     if words.endswith("pocketed"):
-        return lambda c: _nth([b for _, b, _ in c.ev[6]], which)
+        return lambda c: c.ev[POCKETED][which][1] if len(c.ev[POCKETED]) > enough else 0
     if words.endswith("hit"):
-        return lambda c: _nth([b for _, b in c.cue_hits], which)
+        return lambda c: c.cue_hits[which][1] if len(c.cue_hits) > enough else 0
 
     def find(c: Watch) -> int:
         order: list[int] = []
@@ -163,12 +165,8 @@ def _ordinal(words: str) -> k.Run:
             for one in singles(mask & ~seen):
                 order.append(one)
                 seen |= one
-        return _nth(order, which)
+            if len(order) > which >= 0:
+                break
+        return order[which] if len(order) > enough else 0
 
     return find
-
-
-def _nth(masks: list[int], which: int) -> int:
-    if which == -1:
-        return masks[-1] if masks else 0
-    return masks[which] if len(masks) > which else 0
