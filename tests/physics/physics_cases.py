@@ -5,6 +5,7 @@ from math import inf, radians, sqrt
 import numpy as np
 
 from engine.physics import state
+from engine.physics.monitor import examine
 from engine.physics.simulate import Simulation
 from engine.physics.world import Ball, Cloth, Contact, Cue, Models, Rubber, Strike, World
 from engine.table.build import PocketCut, build_table
@@ -72,28 +73,18 @@ def rack(apex, gap=0.0, rows=5):
 
 
 def watch(trace, reach=REACH, size=(2.54, 1.27), *, pockets=False):
-    """The monitor: no overlap, no gain of energy, all inside, no NaN; returns the worst gap."""
-    knots = np.unique(trace.pieces[:, [state.P_T0, state.P_T1]])
-    times = np.unique(np.concatenate([knots, np.linspace(0.0, trace.duration, 400)]))
-    places = trace.positions(times)
-    assert np.isfinite(places).all()
-    energy = trace.kinetic_energy(times)
-    assert np.diff(energy).max(initial=-1.0) <= 1e-12
-    gone = places[..., 2] < 0.0
-    worst = inf
-    for i in range(places.shape[1]):
-        for j in range(i):
-            apart = np.hypot(*(places[:, i, :2] - places[:, j, :2]).T)
-            here = ~(gone[:, i] | gone[:, j])
-            need = 2.0 * sqrt(trace.balls[i].radius * trace.balls[j].radius)
-            worst = min(worst, (apart[here] - need).min(initial=inf))
-    assert worst >= -1e-9
+    """The monitor finds nothing and all are inside; returns the smallest gap of two balls."""
+    found = examine(trace)
+    assert found.faults() == ()
+    assert found.gap >= -1e-9
+    times = np.unique(np.concatenate([trace.pieces[:, state.P_T0], [trace.duration]]))
+    places = trace.positions(np.concatenate([times, np.linspace(0.0, trace.duration, 400)]))
     limit_x, limit_y = size[0] / 2.0, size[1] / 2.0
     slack = 0.12 if pockets else 1e-9 - reach
-    here = ~gone
+    here = places[..., 2] > 0.0
     assert (np.abs(places[..., 0])[here] <= limit_x + slack).all()
     assert (np.abs(places[..., 1])[here] <= limit_y + slack).all()
-    return worst
+    return found.gap
 
 
 def random_layout(rng, n, ids=None):
