@@ -8,6 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+_WIDEST, _BEFORE = 200, 60
+"""Of a longer line only a stretch is shown, from so much before the mistake."""
+
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
@@ -36,10 +39,12 @@ def render(diagnostic: Diagnostic) -> str:
     lines = [f"{where}: {diagnostic.severity} {diagnostic.code}: {diagnostic.message}{key}"]
     if diagnostic.snippet:
         gutter = f"{diagnostic.line:5d} | "
-        text = diagnostic.snippet.replace("\t", " ")
+        start = max(0, diagnostic.column - 1 - _BEFORE) if len(diagnostic.snippet) > _WIDEST else 0
+        text = diagnostic.snippet.replace("\t", " ")[start : start + _WIDEST]
         lines.append(gutter + text)
-        pad = " " * (len(gutter) - 2) + "| " + " " * (diagnostic.column - 1)
-        lines.append(pad + "^" * max(1, diagnostic.width))
+        at = diagnostic.column - 1 - start
+        pad = " " * (len(gutter) - 2) + "| " + " " * at
+        lines.append(pad + "^" * max(1, min(diagnostic.width, len(text) - at)))
     if diagnostic.mend:
         lines.append(f"        mend: {diagnostic.mend}")
     return "\n".join(lines)

@@ -97,13 +97,14 @@ def _section(row: str) -> Meant | None:
     match = re.fullmatch(rf"(?!{_HEADS})([a-z][a-z ]*?)\s*:\s*", row)
     if match is None or match.group(1) in SECTIONS:
         return None
-    name = match.group(1)
+    name = match.group(1)[:_LONGEST]
     close = get_close_matches(name, SECTIONS, 1, 0.6)
     other = _OTHERS.get(name) or (close[0] if close else "")
     mend = f"say `{other}:`" if other else f"the sections are {', '.join(SECTIONS)}"
     return Meant("R101", 1, len(name), f"there is no section `{name}:`", mend)
 
 
+_LONGEST = 60
 _CURLY = "\u201c\u201d\u201e\u2018\u2019\u00ab\u00bb"
 _SIGNS = {
     "==": "say `is`", ">=": "say `is at least`", "=>": "say `is at least`",

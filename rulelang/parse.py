@@ -25,6 +25,8 @@ from rulelang.syntax import Script
 if TYPE_CHECKING:
     from rulelang.diagnostics import Diagnostic
 
+MOST_TOLD = 100
+"""Nobody mends more at a time; what comes after is told on the next check."""
 _GRAMMAR = Path(__file__).with_name("grammar.lark")
 
 
@@ -102,33 +104,52 @@ def _around(
 
 
 def _piecewise(parser: Lark, source: str, file: str) -> tuple[Script, list[Diagnostic]]:
+    """Read every piece that can be read; a group is parted at the piece where it goes wrong."""
     found: list[Diagnostic] = []
     declarations: list[Any] = []
     rules: list[Any] = []
-    for piece in _pieces(source):
-        tree = _try(parser, piece)
-        if isinstance(tree, Exception):
-            found.append(explain(tree, source, file, parser))
+    lines = source.split("\n")
+    waiting = [_pieces(lines)]
+    while waiting and len(found) < MOST_TOLD:
+        group = waiting.pop()
+        if not group:
             continue
-        part = building.script(tree, file, source)
-        declarations.extend(part.declarations)
-        rules.extend(part.rules)
+        tree = _try(parser, _keep(lines, [one for piece in group for one in piece]))
+        if not isinstance(tree, Exception):
+            part = building.script(tree, file, source)
+            declarations.extend(part.declarations)
+            rules.extend(part.rules)
+        elif len(group) == 1:
+            found.append(explain(tree, source, file, parser))
+        else:
+            at = _piece_at(group, getattr(tree, "line", None))
+            waiting += [group[at + 1 :], [group[at]], group[:at]]
     unique = {(d.line, d.column): d for d in found}
     return Script(file, source, tuple(declarations), tuple(rules)), list(unique.values())
 
 
-def _pieces(source: str) -> list[str]:
+Piece = list[tuple[int, int]]
+"""Ranges of lines that make sense together."""
+
+
+def _piece_at(group: list[Piece], line: object) -> int:
+    """Return which piece of a group holds a line, the last where that is not known."""
+    if not isinstance(line, int) or line < 1:
+        return len(group) - 1
+    return max((n for n, piece in enumerate(group) if piece[-1][0] < line), default=0)
+
+
+def _pieces(lines: list[str]) -> list[Piece]:
     """Cut a text into top-level pieces, and sections into their rules, each in its place."""
-    lines = source.split("\n")
     starts = [n for n, line in enumerate(lines) if line[:1] not in ("", " ", "#")]
     starts = [n for n in starts if not lines[n].startswith("otherwise")]
-    pieces: list[str] = []
+    pieces: list[Piece] = []
     for number, start in enumerate(starts):
         end = starts[number + 1] if number + 1 < len(starts) else len(lines)
         if _SECTION.match(lines[start]):
             pieces.extend(_rules(lines, start, end))
         else:
-            pieces.append(_keep(lines, [(start, end)]))
+            pieces.append([(start, end)])
     return pieces
 
 
@@ -138,17 +159,17 @@ _SECTION = re.compile(
 )
 
 
-def _rules(lines: list[str], start: int, end: int) -> list[str]:
+def _rules(lines: list[str], start: int, end: int) -> list[Piece]:
     body = [n for n in range(start + 1, end) if lines[n].strip() and lines[n].strip()[0] != "#"]
     if not body:
-        return [_keep(lines, [(start, end)])]
+        return [[(start, end)]]
     depth = min(len(lines[n]) - len(lines[n].lstrip()) for n in body)
     heads = [n for n in body if len(lines[n]) - len(lines[n].lstrip()) == depth]
     heads = [n for n in heads if not lines[n].lstrip().startswith("otherwise")]
     heads = heads or body[:1]
     heads[0] = body[0]
     ends = [*heads[1:], end]
-    return [_keep(lines, [(start, start + 1), (a, b)]) for a, b in zip(heads, ends, strict=True)]
+    return [[(start, start + 1), (a, b)] for a, b in zip(heads, ends, strict=True)]
 
 
 def _keep(lines: list[str], ranges: list[tuple[int, int]]) -> str:

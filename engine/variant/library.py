@@ -150,8 +150,11 @@ class _Joiner:
         if paths and chain and paths[0].resolve() == chain[-1]:
             paths = [path for path in paths if path.resolve() != chain[-1]] or paths
         if paths and (paths[0].resolve() in chain or len(chain) > _LONGEST_CHAIN):
-            message = f"`{name}` leads back to this file"
-            self.diagnostics.append(said.diagnostic("V202", (), message, "break the circle"))
+            message, mend = f"`{name}` leads back to this file", "break the circle"
+            if paths[0].resolve() not in chain:
+                message = f"more than {_LONGEST_CHAIN} files extend or use each other"
+                mend = "write the differences into fewer files"
+            self.diagnostics.append(said.diagnostic("V202", (), message, mend))
             return None
         if paths:
             return paths[0]

@@ -235,6 +235,7 @@ def _grow(value: object, source: Source, path: KeyPath) -> Node:
 _TWICE = ("Cannot overwrite a value", "Cannot declare", "Cannot mutate", "Duplicate inline")
 _CURLY = ("\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u00ab", "\u00bb")
 _MENDS = (
+    ("Invalid statement", "write `key = value`, `[heading]`, or `#` and a comment"),
     ("this is no quote", 'write straight quotes, as in "text"'),
     ("the list that begins", "close the list with `]`"),
     ("Invalid initial", "a key is letters, digits, `_` and `-`"),
@@ -296,6 +297,7 @@ def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
 
 _UNIT = re.compile(r"[^=]*=\s*([0-9][0-9./ ]* ?[a-z°]+)\s*(?:#.*)?$")
 _PLAIN = {
+    "Invalid statement": "this is neither a key nor a heading",
     "Invalid value": "this is no value",
     "Expected '=' after a key in a key/value pair": "`=` is missing after the key",
     "Expected ']' at the end of a table declaration": "the heading is not closed",
