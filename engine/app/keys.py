@@ -1,13 +1,15 @@
 """Every key of the game, as data: what it does, in which words, and how it is named.
 
-One idea: this table is the only place that knows a key; the help page, the documentation and
-the controls read it. Invariant: an action has one name, and no key does two things at once in
-one mode.
+One idea: this table is the only place that knows a key; the help page, the documentation, the
+controls and the player's own keys (keymap) start from it. Invariant: an action has one name,
+and no key does two things at once in one mode.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
+ALWAYS, AIMING, PLACING, CHOOSING, SHIFTED = "always", "aiming", "placing", "choosing", "shifted"
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,40 +23,108 @@ class Binding:
     group: str
     takes: str = ""
     """The modifier that changes it, "shift" where shift makes it fine."""
+    when: str = ALWAYS
+    """When the keys are heard; SHIFTED ones only with Shift."""
+    ordered: bool = False
+    """Whether each key has a meaning of its own, by its place: left and right, up and down."""
 
 
 AIM, TABLE, SAY, VIEW, GAME = "Aiming", "Placing the ball", "Calls and choices", "View", "Game"
 
 BINDINGS: tuple[Binding, ...] = (
-    Binding("turn", ("left", "right"), "Left / Right", "turn the aim", AIM, "shift"),
-    Binding("power", ("up", "down"), "Up / Down", "strike harder, softer", AIM, "shift"),
-    Binding("spin", ("w", "a", "s", "d"), "W A S D", "move the tip on the ball", AIM, "shift"),
+    Binding(
+        "turn",
+        ("left", "right"),
+        "Left / Right",
+        "turn the aim",
+        AIM,
+        "shift",
+        AIMING,
+        ordered=True,
+    ),
+    Binding(
+        "power",
+        ("up", "down"),
+        "Up / Down",
+        "strike harder, softer",
+        AIM,
+        "shift",
+        AIMING,
+        ordered=True,
+    ),
+    Binding(
+        "spin",
+        ("w", "a", "s", "d"),
+        "W A S D",
+        "move the tip on the ball",
+        AIM,
+        "shift",
+        AIMING,
+        ordered=True,
+    ),
     Binding("centre", ("x",), "X", "tip back to the centre, cue level", AIM),
-    Binding("elevate", ("e", "q"), "E / Q", "raise, lower the butt of the cue", AIM, "shift"),
+    Binding(
+        "elevate",
+        ("e", "q"),
+        "E / Q",
+        "raise, lower the butt of the cue",
+        AIM,
+        "shift",
+        AIMING,
+        ordered=True,
+    ),
     Binding("aid", ("t",), "T", "aiming aid: off, line, ghost ball, all paths", AIM),
     Binding("confirm", ("space", "return", "enter"), "Space, Enter", "strike; accept; go on", AIM),
-    Binding("move", ("left", "right", "up", "down"), "Arrows", "move the ball", TABLE, "shift"),
+    Binding(
+        "move",
+        ("left", "right", "up", "down"),
+        "Arrows",
+        "move the ball",
+        TABLE,
+        "shift",
+        PLACING,
+        ordered=True,
+    ),
     Binding("back", ("b", "backspace"), "B", "back to the placing or the call", TABLE),
     Binding("ball", ("tab",), "Tab", "call the next ball (with Shift: the one before)", SAY),
     Binding("pocket", ("p",), "P", "call the next pocket (with Shift: the one before)", SAY),
     Binding("safety", ("o",), "O", "call a safety, or take it back", SAY),
     Binding("group", ("g",), "G", "call a group, or the next one", SAY),
-    Binding("pick", ("up", "down"), "Up / Down", "go through the choices", SAY),
+    Binding(
+        "pick",
+        ("up", "down"),
+        "Up / Down",
+        "go through the choices",
+        SAY,
+        when=CHOOSING,
+        ordered=True,
+    ),
     Binding(
         "choose",
         ("1", "2", "3", "4", "5", "6", "7", "8", "9"),
         "Shift + 1 to 9",
         "take a choice by its number",
         SAY,
+        when=SHIFTED,
+        ordered=True,
     ),
     Binding("why", ("h",), "H", "the referee's full explanation", SAY),
     Binding("wireframe", ("1",), "1", "draw as a wireframe", VIEW),
     Binding("painter", ("2",), "2", "draw by the painter's algorithm", VIEW),
     Binding("scanline", ("3",), "3", "draw by scanlines with a z-buffer", VIEW),
     Binding("camera", ("c",), "C", "camera: from the cue, from above, free orbit", VIEW),
-    Binding("orbit", (",", "."), ", / .", "turn the free camera", VIEW, "shift"),
-    Binding("tilt", ("page up", "page down"), "PgUp / PgDn", "raise, lower the camera", VIEW),
-    Binding("zoom", ("=", "-"), "+ / -", "nearer, farther (also the mouse wheel)", VIEW),
+    Binding("orbit", (",", "."), ", / .", "turn the free camera", VIEW, ordered=True),
+    Binding(
+        "tilt",
+        ("page up", "page down"),
+        "PgUp / PgDn",
+        "raise, lower the camera",
+        VIEW,
+        ordered=True,
+    ),
+    Binding(
+        "zoom", ("=", "-"), "+ / -", "nearer, farther (also the mouse wheel)", VIEW, ordered=True
+    ),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
     Binding("help", ("f1",), "F1", "this page", GAME),
     Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),
@@ -68,6 +138,7 @@ BINDINGS: tuple[Binding, ...] = (
 
 MOUSE: tuple[tuple[str, str], ...] = (
     ("Left click on the cloth", "aim there; place the ball there; call that ball or pocket"),
+    ("Click a button below the table", "what it says: strike, accept, go on, back, undo"),
     ("Left drag", "turn the aim"),
     ("Right drag back, let go", "draw the cue back and strike"),
     ("Middle drag", "turn the free camera"),

@@ -12,26 +12,29 @@ from typing import TYPE_CHECKING
 import pygame
 
 from engine.app import commands
-from engine.app.controls import Ask, Controls, Screen
+from engine.app.controls import Controls
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
-from engine.app.pen import FAINT, GOLD, TEXT, Pen
+from engine.app.pen import Pen
+from engine.app.screen import Screen
 from engine.app.session import Mode
+from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time
 from engine.app.view import View, camera_of, stroke_seen
+from engine.app.wishes import Ask
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from engine.app.controls import Wish
     from engine.app.inputs import InputEvent
     from engine.app.keeping import Keeper
     from engine.app.session import Session
     from engine.app.showing import Showing
     from engine.app.startup import Startup
     from engine.app.window import Window
+    from engine.app.wishes import Wish
 
 TEXT_SIZES = (1.0, 1.2, 1.45, 0.85)
 PAGE_KEYS = {"up": -1, "down": 1, "page up": -12, "page down": 12}
@@ -60,7 +63,7 @@ class Loop:
     _rate_shown: float = 0.0
 
     def __post_init__(self) -> None:
-        self.hud = Hud(Pen(self.window.surface))
+        self.hud = Hud(Pen(self.window.surface), self.controls.keyboard.keymap)
 
     def run(self, each: Callable[[Loop], None] | None = None) -> None:
         """Play until the player quits; `each` is called before every frame.
@@ -196,16 +199,6 @@ class Loop:
         return f"{drawn}   {self.view.camera}   {self._rate_shown:.0f} fps"
 
     def _draw_start(self) -> None:
-        """Say what is being prepared."""
-        pen, (width, height) = self.hud.pen, self.window.size
-        pen.surface.fill((16, 18, 22))
-        middle = width // 2, height // 2
+        start = self.startup
         title = self.session.variant.title
-        pen.write(title, (middle[0], middle[1] - pen.px(90)), TEXT, 34, "middle")
-        saying = self.startup.saying
-        pen.write(saying, (middle[0], middle[1] - pen.px(20)), FAINT, 17, "middle")
-        if self.startup.is_first:
-            first = "first start: this is done once and takes about half a minute"
-            pen.write(first, (middle[0], middle[1] + pen.px(44)), FAINT, 14, "middle")
-        box = middle[0] - pen.px(160), middle[1] + pen.px(14), pen.px(320), pen.px(10)
-        pen.bar(box, self.startup.share, GOLD)
+        draw_start(self.hud.pen, title, start.saying, start.share, is_first=start.is_first)

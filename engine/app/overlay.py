@@ -11,8 +11,8 @@ from engine.app.session import BEFORE_STROKE
 from engine.scene.camera import project
 
 if TYPE_CHECKING:
-    from engine.app.controls import Screen
     from engine.app.pen import Pen
+    from engine.app.screen import Screen
     from engine.app.session import Session
 
 BLUE = (110, 170, 255)

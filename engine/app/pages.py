@@ -13,10 +13,12 @@ import pygame
 
 from engine.app import keys
 from engine.app.pen import FAINT, GOLD, TEXT, TONES
-from engine.app.words import Line, explanation_lines
+from engine.app.telling import explanation_lines
+from engine.app.words import Line, player_name
 
 if TYPE_CHECKING:
     from engine.app.hud import Hud
+    from engine.app.keymap import Keymap
     from engine.app.session import Session
 
 
@@ -46,22 +48,33 @@ MENU = (
 )
 
 
-def rows_of(page: Page, session: Session) -> list[Row]:
+def rows_of(page: Page, session: Session, keymap: Keymap) -> list[Row]:
     """Return what a page says."""
     if page is Page.HELP:
-        return _help()
+        return _help(keymap)
     if page is Page.WHY:
-        outcomes = session.verdict.explanation if session.verdict else ()
-        return [Row(line) for line in explanation_lines(outcomes)]
+        return _why(session)
     return [Row(Line(text), hot=f"ask:{name}") for name, text in MENU]
 
 
-def _help() -> list[Row]:
+def _why(session: Session) -> list[Row]:
+    """Return how every rule fared in the stroke that was judged last."""
+    last = session.last_stroke
+    if last is None:
+        return [Row(line) for line in explanation_lines(())]
+    number = session.match.played.index(last) + 1
+    title = f"Shot {number}, {player_name(last.before.shooter)}, by the {session.variant.rulebook}"
+    told = explanation_lines(last.verdict.explanation)
+    marks = "+ it spoke   - it was silent, and why   x another rule overrode it"
+    return [Row(line) for line in (Line(title, "good"), Line(marks, "faint"), *told)]
+
+
+def _help(keymap: Keymap) -> list[Row]:
     rows: list[Row] = []
     for group in keys.groups():
         rows += [Row(Line(""))] if rows else []
         rows.append(Row(Line(group, "head")))
-        for one in keys.BINDINGS:
+        for one in keymap.bindings:
             if one.group == group:
                 fine = "; Shift: fine" if one.takes == "shift" else ""
                 rows.append(Row(Line(one.about + fine), one.shown))
@@ -75,7 +88,7 @@ def draw_page(hud: Hud, page: Page, session: Session, scroll: int) -> int:
     pen = hud.pen
     width, height = pen.surface.get_size()
     wide = min(pen.px(440 if page is Page.MENU else 860), width - 24)
-    rows = _wrapped(hud, rows_of(page, session), wide)
+    rows = _wrapped(hud, rows_of(page, session, hud.keymap), wide)
     step = pen.line(16) + pen.px(12 if page is Page.MENU else 3)
     most = max(1, (height - pen.px(110)) // step)
     last = max(0, len(rows) - most)

@@ -13,7 +13,7 @@ import pygame
 import pygame.freetype
 
 if TYPE_CHECKING:
-    from engine.app.controls import Box
+    from engine.app.screen import Box
 
 Colour = tuple[int, int, int]
 TEXT: Colour = (233, 232, 226)
@@ -23,6 +23,7 @@ GOOD: Colour = (128, 214, 140)
 BAD: Colour = (255, 122, 108)
 PANEL: Colour = (22, 25, 31)
 EDGE: Colour = (62, 68, 80)
+CHALK: Colour = (236, 234, 222)
 TONES = {"head": TEXT, "good": GOOD, "bad": BAD, "plain": (205, 206, 204), "faint": FAINT}
 BASE = 17
 KEPT = 600

@@ -132,9 +132,6 @@ def _border(zone: Zone, wish: Point) -> Points:
 
 
 def first_place(placing: Placing) -> Point:
-    """Return where the ball is shown first: near the long axis, towards the foot."""
-    if not len(placing.free):
-        return usual_place(placing.variant, placing.situation) or (0.0, 0.0)
-    order = np.lexsort((-placing.free[:, 0], np.round(np.abs(placing.free[:, 1]), 6)))
-    x, y = placing.free[order[0]].tolist()
-    return placing.nearest((x, y))
+    """Return where the ball is shown first: the usual place, from which a ball on can be hit."""
+    usual = usual_place(placing.variant, placing.situation)
+    return placing.nearest(usual or (0.0, 0.0))

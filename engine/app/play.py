@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from engine.app.settings import Settings, SettingsError, data_folder, read_settings
+from engine.app.trouble import ScriptTrouble
 from engine.game.match import SettingError, start_match
 from engine.variant.library import VariantError
 from engine.variant.load import load_variant
@@ -52,7 +53,7 @@ def play(
         wishes = _with(read_settings(), renderer, size, rate)
         match, path, goes_on = _match(variant, players, settings or {}, seed, resume, journal)
         run(match, wishes, path, goes_on=goes_on, each=each)
-    except (PlayError, SettingsError, SettingError, VariantError) as trouble:
+    except (PlayError, SettingsError, SettingError, VariantError, *ScriptTrouble) as trouble:
         print(trouble, file=sys.stderr)  # noqa: T201  the way out is said here
         return 2
     except KeyboardInterrupt:
@@ -161,12 +162,16 @@ def run(
 ) -> None:
     """Open a window and play a match in it; raises PlayError where none can be opened."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "hide")
+    from engine.app.pen import Pen  # noqa: PLC0415  pygame is loaded for a window only
+    from engine.app.starting import draw_start  # noqa: PLC0415
     from engine.app.window import NoWindowError, close_window, open_window  # noqa: PLC0415
 
     try:
         window = open_window((settings.width, settings.height), match.variant.title)
     except NoWindowError as trouble:
         raise PlayError(f"no window can be opened: {trouble}") from trouble
+    draw_start(Pen(window.surface), match.variant.title, "starting ...", 0.0, is_first=False)
+    window.show()
     try:
         loop = make_loop(window, match, settings, journal, goes_on=goes_on)
         loop.run(each)
@@ -178,7 +183,9 @@ def make_loop(
     window: object, match: Match, settings: Settings, journal: Path, *, goes_on: bool = False
 ) -> Loop:
     """Return the loop of a match in a window that is open, its preparation begun."""
-    from engine.app.keeping import Keeper  # noqa: PLC0415  the window comes before the rest
+    from engine.app.controls import Controls  # noqa: PLC0415  the window comes before the rest
+    from engine.app.keeping import Keeper  # noqa: PLC0415
+    from engine.app.keyboard import Keyboard  # noqa: PLC0415
     from engine.app.loop import Loop  # noqa: PLC0415
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
@@ -202,4 +209,5 @@ def make_loop(
         renderer=settings.renderer,
         rate=settings.rate,
         text=settings.text,
+        controls=Controls(Keyboard(settings.keymap)),
     )

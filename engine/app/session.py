@@ -62,7 +62,8 @@ class Session:
     `ahead` is the situation that the stroke is played from: the match's own, after the choice.
     `place` is where the ball in hand is held. `trace` is the last stroke's, shown up to `clock`
     (s, below zero while the cue comes forward), `pace` times as fast as it was; `back_to` is
-    where a replay leads back to. `note` is said to the player, `later` holds what was undone.
+    where a replay leads back to. `note` is said to the player, `trouble` is the script's, `later`
+    holds what was undone.
     """
 
     match: Match
@@ -80,6 +81,7 @@ class Session:
     pace: float = 1.0
     back_to: Mode | None = None
     note: str = ""
+    trouble: str = ""
     later: tuple[Match, ...] = ()
     aid: Aid = Aid.GHOST
 

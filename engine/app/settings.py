@@ -9,10 +9,15 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from platformdirs import user_config_dir, user_data_dir
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from engine.app.keymap import KeyTroubleError, keymap_of
+
+if TYPE_CHECKING:
+    from engine.app.keymap import Keymap
 
 NAME = "headstring"
 RendererName = Literal["wireframe", "painter", "scanline"]
@@ -23,7 +28,7 @@ class SettingsError(ValueError):
 
 
 class Settings(BaseModel):
-    """What the player may set; sizes in pixels, `rate` in frames a second."""
+    """What the player may set; sizes in pixels, `rate` in frames a second, `keys` by action."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
@@ -33,6 +38,12 @@ class Settings(BaseModel):
     height: int = Field(720, ge=320, le=4320)
     text: float = Field(1.0, ge=0.5, le=3.0)
     aid: Literal["off", "line", "ghost", "all"] = "ghost"
+    keys: dict[str, str | list[str]] = Field(default_factory=dict)
+
+    @property
+    def keymap(self) -> Keymap:
+        """Which key does what; raises KeyTroubleError for keys that cannot be used."""
+        return keymap_of(self.keys)
 
 
 def settings_path() -> Path:
@@ -58,11 +69,16 @@ def read_settings(path: Path | None = None) -> Settings:
     except (OSError, UnicodeDecodeError) as trouble:
         raise SettingsError(f"{path}: cannot be read: {trouble}") from trouble
     try:
-        return Settings.model_validate(_floats(tomllib.loads(text)))
+        found = Settings.model_validate(_floats(tomllib.loads(text)))
+        keymap_of(found.keys)
     except tomllib.TOMLDecodeError as trouble:
         raise SettingsError(f"{path}: not TOML: {trouble}") from trouble
+    except KeyTroubleError as trouble:
+        where = _line_of(text, trouble.action)
+        raise SettingsError(f"{path}:{where}: keys.{trouble.action}: {trouble}") from trouble
     except ValidationError as trouble:
         raise SettingsError("\n".join(_complaints(path, text, trouble))) from trouble
+    return found
 
 
 def _floats(raw: dict[str, object]) -> dict[str, object]:

@@ -8,16 +8,20 @@ here, so the outcome is the same at any frame rate.
 from __future__ import annotations
 
 from dataclasses import replace
+from math import hypot, radians
 from typing import TYPE_CHECKING
 
 from engine.app import calling, commands, placing
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
 from engine.app.stroke import Stroke, heading_to
+from engine.app.trouble import ScriptTrouble, told
 from engine.game.match import advance, start_match, undo
 from engine.game.observe import observe, simulate_shot
 from engine.game.placing import refuse_place
 from engine.game.referee import judge_shot, look_ahead, take_choice
 from engine.game.shot import NO_CALL, Shot
+from engine.game.sight import View, first_met
+from engine.table.furniture import BallId
 
 if TYPE_CHECKING:
     from engine.game.match import Match
@@ -52,17 +56,18 @@ def _levelled(stroke: Stroke) -> Stroke:
 
 
 def _face_balls(session: Session) -> Session:
-    """Return the session with the aim on the nearest ball that is on."""
-    start = session.cue_place
-    lying = session.ahead.rest.positions
-    if start is None:
+    """Return the session with the aim on a ball that is on, the nearest that can be hit full."""
+    start, cue = session.cue_place, session.cue_ball
+    lying = {ball: at for ball, at in session.ahead.rest.positions.items() if ball != cue}
+    if start is None or not lying:
         return session
-    targets = [lying[b] for b in lying if b in session.admission.on and b != session.cue_ball]
-    targets = targets or [lying[ball] for ball in lying if ball != session.cue_ball]
-    if not targets:
-        return session
-    near = min(targets, key=lambda p: (p[0] - start[0]) ** 2 + (p[1] - start[1]) ** 2)
-    return replace(session, stroke=session.stroke.headed(heading_to(start, near)))
+    radii = {ball.id: ball.radius for ball in session.variant.world.balls}
+    view = View(start, radii[cue], lying, radii)
+    targets = [ball for ball in lying if ball in session.admission.on] or list(lying)
+    targets.sort(key=lambda ball: hypot(lying[ball][0] - start[0], lying[ball][1] - start[1]))
+    headings = [heading_to(start, lying[ball]) for ball in targets]
+    clear = (way for way in headings if first_met(view, radians(way)) in targets)
+    return replace(session, stroke=session.stroke.headed(next(clear, headings[0])))
 
 
 def _look(session: Session) -> Session:
@@ -78,7 +83,17 @@ def _after_placing(session: Session) -> Session:
 
 
 def act(session: Session, command: commands.Command) -> Session:
-    """Return the session after a command; one that does not fit the moment changes nothing."""
+    """Return the session after a command; one that does not fit the moment changes nothing.
+
+    Where the script fails, the session stays as it was and its `trouble` says what is wrong.
+    """
+    try:
+        return _act(replace(session, trouble="") if session.trouble else session, command)
+    except ScriptTrouble as trouble:
+        return replace(session, trouble=told(trouble, session.variant))
+
+
+def _act(session: Session, command: commands.Command) -> Session:
     match command:
         case commands.Undo():
             return _undo(session)
@@ -179,7 +194,17 @@ def _called(session: Session, command: commands.Command) -> Session:
     call = _new_call(session, command)
     if call is None or session.mode is Mode.PLACING:
         return session
-    return _look(replace(session, call=call, note=""))
+    called = _look(replace(session, call=call, note=""))
+    return _face_called(called) if call.ball != session.call.ball else called
+
+
+def _face_called(session: Session) -> Session:
+    """Return the session with the aim on the ball that is called."""
+    start, ball, lying = session.cue_place, session.call.ball, session.ahead.rest.positions
+    if start is None or ball is None or ball not in lying:
+        return session
+    heading = heading_to(start, lying[BallId(ball)])
+    return replace(session, stroke=session.stroke.headed(heading))
 
 
 def _new_call(session: Session, command: commands.Command) -> Call | None:

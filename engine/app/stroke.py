@@ -46,13 +46,13 @@ class Stroke:
         )
 
     def turned(self, by: float) -> Stroke:
-        """Return the stroke turned counter-clockwise by degrees, in steps of 0.001."""
+        """Return the stroke turned counter-clockwise by degrees."""
         return self.headed(self.heading + by)
 
     def headed(self, heading: float) -> Stroke:
-        """Return the stroke with a new heading, kept within -180 to 180."""
-        whole = round(heading, 3)
-        return replace(self, heading=round((whole + 180.0) % 360.0 - 180.0, 3))
+        """Return the stroke with a new heading, within -180 to 180, in steps of 0.01 as shown."""
+        whole = round(heading, 2)
+        return replace(self, heading=round((whole + 180.0) % 360.0 - 180.0, 2))
 
     def at(self, speed: float) -> Stroke:
         """Return the stroke with a new speed, within what an arm can do."""

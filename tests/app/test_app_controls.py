@@ -6,7 +6,7 @@ from math import atan2, hypot
 import pytest
 
 from engine.app import commands
-from engine.app.controls import Ask, Controls, Screen
+from engine.app.controls import Controls
 from engine.app.inputs import (
     ButtonPressed,
     ButtonReleased,
@@ -16,10 +16,12 @@ from engine.app.inputs import (
     MouseMoved,
     Wheeled,
 )
+from engine.app.screen import Screen
 from engine.app.session import Mode
 from engine.app.steps import act, begin
 from engine.app.stroke import FASTEST
 from engine.app.view import View, camera_of
+from engine.app.wishes import Ask
 from engine.scene.camera import project
 
 BOX = (0, 50, 900, 500)

@@ -3,18 +3,11 @@ from dataclasses import replace
 import pytest
 
 from engine.app import commands
+from engine.app.board import board_of, call_words
 from engine.app.session import Mode
 from engine.app.steps import act
-from engine.app.words import (
-    board_of,
-    call_words,
-    explanation_lines,
-    named_balls,
-    next_words,
-    result_words,
-    spoken,
-    verdict_lines,
-)
+from engine.app.telling import explanation_lines, verdict_lines
+from engine.app.words import named_balls, next_words, result_words, spoken
 from rulelang.facts import Call
 
 
@@ -29,7 +22,7 @@ def played(session, speed, turn=0.0):
 def test_the_board_tells_players_scores_phase_and_what_is_on(start):
     board = board_of(start("snooker"))
     assert board.title == "Snooker"
-    assert board.phase == "red"
+    assert board.phase == "phase: red"
     assert [(line.name, line.score) for line in board.players] == [
         ("Player 1", "0"),
         ("Player 2", "0"),
@@ -65,7 +58,7 @@ def test_a_whole_group_is_told_by_its_name(start):
 
 
 def test_a_foul_is_told_with_section_points_and_who_is_next(start):
-    session = played(start("snooker"), 1.0, turn=90.0)
+    session = played(start("snooker"), 1.0, turn=180.0)
     lines = verdict_lines(session.variant, session.last)
     said = "\n".join(line.text for line in lines)
     assert "Foul: no contact, 4 points [S3 R11(a)]" in said
@@ -90,7 +83,7 @@ def test_a_choice_is_told_as_a_choice(start):
 
 
 def test_the_explanation_has_every_rule_under_its_section(start):
-    session = played(start("snooker"), 1.0, turn=90.0)
+    session = played(start("snooker"), 1.0, turn=180.0)
     lines = explanation_lines(session.verdict.explanation)
     heads = [line.text for line in lines if line.tone == "head"]
     assert heads == list(dict.fromkeys(heads))
@@ -137,7 +130,7 @@ def test_who_is_next_is_told_with_the_ball_in_hand(start):
     session = start("snooker")
     assert (
         next_words(session.variant, session.match.situation)
-        == "Next: Player 1, cue ball in hand (d)"
+        == "Next: Player 1, cue ball in hand (D)"
     )
 
 

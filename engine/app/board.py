@@ -1,0 +1,142 @@
+"""The score board and what is asked of the player, as values.
+
+One idea: all that the display says at one moment is one value; where it stands is decided
+elsewhere.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from engine.app.session import Mode
+from engine.app.words import (
+    ball_name,
+    named_balls,
+    next_words,
+    player_name,
+    result_words,
+    spoken,
+    zone_name,
+)
+from engine.game.situation import cue_ball_of
+
+if TYPE_CHECKING:
+    from engine.app.session import Session
+    from engine.game.situation import Situation
+    from engine.table.furniture import BallId
+    from engine.variant.variant import Variant
+    from rulelang.facts import Call
+
+
+@dataclass(frozen=True, slots=True)
+class PlayerLine:
+    """One player as the score board shows him."""
+
+    name: str
+    score: str
+    is_shooting: bool
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """All that the display says at one moment; `on` are the balls to be marked."""
+
+    title: str
+    phase: str
+    players: tuple[PlayerLine, ...]
+    on: tuple[BallId, ...]
+    on_words: str
+    ask: str
+    note: str
+    call: str
+
+
+def board_of(session: Session) -> Board:
+    """Return all that the display says about a session."""
+    now = session.shown
+    variant = session.variant
+    before = session.mode in (Mode.CHOOSING, Mode.PLACING, Mode.CALLING, Mode.AIMING)
+    cue = cue_ball_of(variant, now.shooter)
+    on = session.admission.on if before else frozenset()
+    marked = tuple(
+        k.id for k in variant.balls if k.id in on and k.id in now.on_table and k.id != cue
+    )
+    return Board(
+        title=variant.title,
+        phase=", ".join([f"phase: {spoken(now.phase)}", *settings_words(now)]),
+        players=tuple(player_line(variant, now, player) for player in range(1, now.players + 1)),
+        on=marked,
+        on_words=named_balls(variant, marked, now.on_table - {cue}),
+        ask=asked(session),
+        note=session.note,
+        call=call_words(session.call) if before else "",
+    )
+
+
+def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLine:
+    """Return a player's name, score and what the game tracks of him."""
+    notes = []
+    if len(variant.cue_balls) > 1:
+        notes.append(f"plays {spoken(cue_ball_of(variant, player))}")
+    for name, value in situation.state.items():
+        if isinstance(value, tuple) and len(value) == situation.players:
+            own = value[player - 1]
+            if own not in (False, 0, "none", "", None):
+                notes.append(spoken(name) if own is True else f"{spoken(name)}: {spoken(str(own))}")
+    if player in situation.eliminated:
+        notes.append("out")
+    return PlayerLine(
+        player_name(player),
+        str(situation.scores[player - 1]) if counts_points(variant) else "",
+        player == situation.shooter and not situation.over,
+        tuple(notes),
+    )
+
+
+def settings_words(situation: Situation) -> list[str]:
+    """Return the house rules of a match that are a number or a name, in words."""
+    return [
+        f"{spoken(name)} {spoken(str(value))}"
+        for name, value in situation.settings.items()
+        if not isinstance(value, bool)
+    ]
+
+
+def counts_points(variant: Variant) -> bool:
+    """Whether any rule of the game gives or takes points."""
+    return any(re.search(r"\b(award|deduct)\b", rule.text) for rule in variant.program.rules)
+
+
+def asked(session: Session) -> str:
+    """Return what the player is asked to do now."""
+    who = player_name(session.ahead.shooter)
+    match session.mode:
+        case Mode.CHOOSING:
+            return f"{who}: choose what happens next"
+        case Mode.PLACING:
+            zone = zone_name(session.ahead.in_hand or "")
+            ball = ball_name(session.variant, session.cue_ball)
+            return f"{who}: place the {ball}, in hand ({zone})"
+        case Mode.CALLING:
+            return f"{who}: call {session.wanted.in_words}"
+        case Mode.AIMING:
+            return f"{who}: aim and strike"
+        case Mode.STRIKING | Mode.ROLLING:
+            return "The last shot again" if session.back_to else "The balls are rolling"
+        case Mode.VERDICT:
+            return next_words(session.variant, session.match.situation)
+        case Mode.OVER:
+            return result_words(session.match.situation)
+
+
+def call_words(call: Call) -> str:
+    """Return a call as it would be announced; empty for no call."""
+    if call.safety:
+        said = "safety"
+    else:
+        said = " in ".join(spoken(part) for part in (call.ball, call.pocket) if part)
+    group = f"claims {spoken(call.group)}" if call.group else ""
+    return ", ".join(part for part in (said, group) if part)

@@ -1,0 +1,75 @@
+"""What a choice means, in a player's words.
+
+One idea: the script is asked what would follow, and the difference is told: who plays, from
+where, what is racked, put back or on.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from engine.app.trouble import ScriptTrouble
+from engine.app.words import (
+    ball_name,
+    capital,
+    named_balls,
+    player_name,
+    result_words,
+    spoken,
+    zone_name,
+)
+from engine.game.referee import look_ahead, take_choice
+from engine.game.shot import Shot
+from engine.game.situation import cue_ball_of
+
+if TYPE_CHECKING:
+    from engine.game.situation import Situation
+    from engine.game.verdict import Verdict
+    from engine.variant.variant import Variant
+
+
+def choice_words(variant: Variant, situation: Situation, option: str) -> str:
+    """Return what follows when an option is taken; empty where the rules cannot tell."""
+    try:
+        chosen = take_choice(variant, situation, Shot(choice=option), explain=False)
+        after = chosen.after
+        if after.over:
+            return capital(result_words(after))
+        said = [_who_plays(variant, after), *_table_words(variant, situation, chosen)]
+        now, then = look_ahead(variant, situation).on, look_ahead(variant, after).on
+    except ScriptTrouble:
+        return ""
+    there = after.on_table - {cue_ball_of(variant, after.shooter)}
+    if then != now and not chosen.reracked:
+        on = [kind.id for kind in variant.balls if kind.id in then and kind.id in there]
+        said += [f"on: {named_balls(variant, on, there)}"]
+    return capital("; ".join(said))
+
+
+def _who_plays(variant: Variant, after: Situation) -> str:
+    who = player_name(after.shooter)
+    if after.in_hand is None:
+        return f"{who} plays from where the balls lie"
+    ball = ball_name(variant, cue_ball_of(variant, after.shooter))
+    return f"{who} plays, {ball} in hand ({zone_name(after.in_hand)})"
+
+
+def _table_words(variant: Variant, before: Situation, chosen: Verdict) -> list[str]:
+    """Return what is done to the balls."""
+    if chosen.reracked:
+        return ["the balls are racked again"]
+    back = [ball_name(variant, one.ball) for one in chosen.spotted]
+    back = [f"{ball} back on the table" for ball in back]
+    moved = {
+        ball
+        for ball, at in chosen.after.rest.positions.items()
+        if before.rest.positions.get(ball) != at
+    } - {one.ball for one in chosen.spotted}
+    if moved - {cue_ball_of(variant, chosen.after.shooter)}:
+        back.append("the balls go back to where they lay before the stroke")
+    return back
+
+
+def option_name(option: str) -> str:
+    """Return an option as a player reads it."""
+    return capital(spoken(option))

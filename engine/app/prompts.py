@@ -1,0 +1,89 @@
+"""What can be done at this moment: the buttons under the picture, and a word on the rest.
+
+One idea: whatever a mode waits for has a button with its key on it, so a game can be played by
+mouse alone or by keyboard alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from engine.app.session import Mode
+
+if TYPE_CHECKING:
+    from engine.app.keymap import Keymap
+    from engine.app.session import Session
+
+
+@dataclass(frozen=True, slots=True)
+class Button:
+    """Something to click; `action` is the name of what it asks for, `key` its key."""
+
+    text: str
+    action: str
+    key: str
+    is_main: bool = False
+
+
+def buttons_of(session: Session, keymap: Keymap) -> list[Button]:
+    """Return the buttons of a moment, the one that goes on first."""
+    return [
+        Button(text, action, keymap.shown(action), is_main=place == 0)
+        for place, (text, action) in enumerate(_offered(session))
+        if text
+    ]
+
+
+def _offered(session: Session) -> list[tuple[str, str]]:
+    wanted = session.wanted
+    undo = ("Undo" if session.match.played else "", "undo")
+    why = ("Why" if session.last_stroke else "", "why")
+    match session.mode:
+        case Mode.CHOOSING:
+            return [("Take this choice", "confirm"), why, undo]
+        case Mode.PLACING:
+            return [("Put it down", "confirm"), ("Camera", "camera"), undo]
+        case Mode.CALLING:
+            return [
+                ("Accept the call" if wanted.obliged else "Go on", "confirm"),
+                ("Safety" if wanted.safety else "", "safety"),
+                ("Ball" if wanted.ball else "", "ball"),
+                ("Pocket" if wanted.pocket else "", "pocket"),
+                ("Group" if wanted.group else "", "group"),
+                ("Back" if session.placing else "", "back"),
+                undo,
+            ]
+        case Mode.AIMING:
+            back = wanted.anything or session.placing
+            return [
+                ("Strike", "confirm"),
+                (f"Aid: {session.aid.value}", "aid"),
+                ("Camera", "camera"),
+                ("Back" if back else "", "back"),
+                undo,
+            ]
+        case Mode.STRIKING | Mode.ROLLING:
+            return [("Skip to the end", "fast")]
+        case Mode.VERDICT:
+            return [("Go on", "confirm"), why, ("Replay", "replay"), ("Save", "save"), undo]
+        case Mode.OVER:
+            return [("Next game", "next"), why, ("Replay", "replay"), ("Save", "save"), undo]
+
+
+def hint_of(session: Session) -> str:
+    """Return how the rest is done by mouse and by keys."""
+    wanted = session.wanted
+    match session.mode:
+        case Mode.CHOOSING:
+            return "click a choice, or go up and down"
+        case Mode.PLACING:
+            return "click or drag it within the bright zone, or move it with the arrows"
+        case Mode.CALLING:
+            things = " and ".join(
+                word for word, on in (("a ball", wanted.ball), ("a pocket", wanted.pocket)) if on
+            )
+            return f"click {things} on the table" if things else ""
+        case Mode.AIMING:
+            return "click or drag to aim; right drag back and let go to strike; arrows, WASD: F1"
+    return ""

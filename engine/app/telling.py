@@ -1,0 +1,106 @@
+"""The referee's words on a shot, and how every rule fared.
+
+One idea: what the verdict holds is said in the order in which a player asks: was it a foul, what
+fell, how many points, what was put back, why, who is next.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from engine.app.words import Line, ball_name, cited, next_words, player_name, spoken
+from rulelang.events import LeftTable, Pocketed
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from engine.game.match import Played
+    from engine.game.verdict import Spotted, Verdict
+    from engine.variant.variant import Variant
+    from rulelang.decisions import RuleOutcome
+
+
+def verdict_lines(variant: Variant, played: Played) -> list[Line]:
+    """Return the referee's words on a shot."""
+    verdict, after = played.verdict, played.verdict.after
+    if played.shot.is_only_choice:
+        lines = [Line(f"Chosen: {spoken(played.shot.choice or '')}", "good")]
+    else:
+        lines = _fouls(verdict) or [Line("No foul", "good")]
+    lines += _happened(variant, verdict)
+    for player, points in enumerate(verdict.points, start=1):
+        if points:
+            said = f"{player_name(player)}: {points:+d} {'point' if abs(points) == 1 else 'points'}"
+            lines.append(Line(said, "head"))
+    lines += _put_back(variant, verdict)
+    lines += [Line(one, "faint") for one in _reasons(verdict)]
+    lines.append(Line(next_words(variant, after), "head"))
+    return lines
+
+
+def _fouls(verdict: Verdict) -> list[Line]:
+    lines = []
+    for foul in verdict.fouls:
+        worth = f", {foul.worth} points" if foul.worth > 1 else ""
+        lines.append(Line(f"Foul: {spoken(foul.name)}{worth}{cited(foul.cites)}", "bad"))
+        if foul.rule and foul.rule.lower() != spoken(foul.name):
+            lines.append(Line(foul.rule, "faint"))
+    return lines
+
+
+def _happened(variant: Variant, verdict: Verdict) -> list[Line]:
+    lines = []
+    for event in verdict.events:
+        if isinstance(event, Pocketed):
+            lines.append(
+                Line(f"{ball_name(variant, event.ball)} pocketed ({spoken(event.pocket)})")
+            )
+        elif isinstance(event, LeftTable):
+            lines.append(Line(f"{ball_name(variant, event.ball)} left the table"))
+    return lines
+
+
+def _put_back(variant: Variant, verdict: Verdict) -> list[Line]:
+    lines = [Line(f"{ball_name(variant, one.ball)} back {_where(one)}") for one in verdict.spotted]
+    lines += [Line(f"{ball_name(variant, ball)} stays off the table") for ball in verdict.removed]
+    if verdict.reracked:
+        lines.append(Line(f"{verdict.reracked} balls are racked"))
+    return lines
+
+
+def _reasons(verdict: Verdict) -> list[str]:
+    """Return the rules that decided, fouls apart: they are told already."""
+    return [
+        f"{one.rule}{cited(one.cites)}"
+        for one in verdict.explanation
+        if one.outcome == "fired"
+        and one.section not in ("fouls", "before shot")
+        and any(not said.startswith(BOOKKEEPING) for said in one.said)
+    ]
+
+
+BOOKKEEPING = ("reset ", "set ", "add ", "nothing")
+"""How the words of a rule begin that only keeps count."""
+MARKS = {"fired": "+", "silent": "-", "overridden": "x"}
+
+
+def explanation_lines(outcomes: Iterable[RuleOutcome]) -> list[Line]:
+    """Return how every rule fared: what it said, or why it was silent, section by section."""
+    lines: list[Line] = []
+    section = ""
+    for one in outcomes:
+        if one.section != section:
+            section = one.section
+            lines.append(Line(section, "head"))
+        tone = {"fired": "good", "overridden": "bad"}.get(one.outcome, "faint")
+        lines.append(Line(f"{MARKS.get(one.outcome, '?')} {one.rule}{cited(one.cites)}", tone))
+        lines += [Line(f"    {said}") for said in one.said if one.outcome == "fired"]
+        if one.because:
+            lines.append(Line(f"    {one.because}", "faint"))
+    return lines or [Line("The referee has not spoken yet.", "faint")]
+
+
+def _where(spotted: Spotted) -> str:
+    if spotted.spot is None:
+        return "on the table"
+    return f"{'on' if spotted.on else 'near'} the {spoken(spotted.spot)}"
