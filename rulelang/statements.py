@@ -1,4 +1,4 @@
-"""Actions, branches, loops and offers, compiled to closures that write decisions.
+"""Branches, loops and offers, compiled to closures that write decisions.
 
 One idea: a statement is a function of the watch that appends plain tuples and says whether it
 did anything; what the tuples mean is the evaluator's business.
@@ -12,17 +12,16 @@ from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
 from rulelang import syntax as s
-from rulelang.closures import leader, opponent, singles
+from rulelang.actions import ACTIONS, Decision
+from rulelang.closures import singles
 from rulelang.code import Code, Mistake
 from rulelang.constructs import expressions_in
 from rulelang.program import Consequence
-from rulelang.scope import nearest
 
 if TYPE_CHECKING:
     from rulelang.scope import Scope
     from rulelang.watch import Watch
 
-Decision = tuple[Any, ...]
 Run = Callable[["Watch", list[Decision]], bool]
 
 SECTION_OF: dict[type, str] = {
@@ -107,7 +106,7 @@ class Statements:
             self._belongs(node)
         if isinstance(node, s.OfferChoices):
             return self._offer(node)
-        act = _ACTIONS[type(node)](self, node)
+        act = ACTIONS[type(node)](self, node)
         return _acting(act)
 
     def _belongs(self, node: s.Statement) -> None:
@@ -236,154 +235,3 @@ def _acting(act: Callable[[Watch], Decision | None]) -> Run:
         return True
 
     return run
-
-
-Act = Callable[["Watch"], Decision | None]
-
-
-def _foul(x: Statements, node: s.Foul) -> Act:
-    worth = None if node.worth is None else x.value(node.worth, k.NUMBER).run
-    name, alone = node.name, node.alone
-    if worth is None:
-        made = ("foul", name, 0, alone)
-        return lambda _c: made
-    return lambda c: ("foul", name, worth(c), alone)
-
-
-def _award(x: Statements, node: s.Award) -> Act:
-    amount, who = x.value(node.amount, k.NUMBER).run, x.value(node.who, k.PLAYER).run
-    sign = 1 if node.verb == "award" else -1
-    return lambda c: ("points", who(c), sign * amount(c))
-
-
-def _write(x: Statements, node: s.Write) -> Act:
-    scope, name = x.scope, node.name
-    if name in scope.poisoned:
-        raise Mistake("R206", node.at, f'"{name}" cannot be read', silent=True)
-    if name not in scope.tracks:
-        mend = nearest(name, scope.tracks) or f"declare it: track {name} per game"
-        raise Mistake("R206", node.at, f'"{name}" is not tracked', mend)
-    track = scope.tracks[name]
-    scope.used.add(name)
-    if track.per_player and node.who is None:
-        raise Mistake(
-            "R303", node.at, f'"{name}" is kept for each player', f"say `{name} of shooter`"
-        )
-    if not track.per_player and node.who is not None:
-        raise Mistake("R304", node.at, f'"{name}" is not kept for each player', f"say `{name}`")
-    who = (lambda _c: None) if node.who is None else x.value(node.who, k.PLAYER).run
-    if node.value is None:
-        return lambda c: ("write", "reset", name, who(c), None)
-    kind = scope.track_kinds[name]
-    if node.verb == "add" and kind != k.NUMBER:
-        raise Mistake("R301", node.at, f'"{name}" is not a number', "say `set` instead of `add`")
-    value = x.value(node.value, kind, "name" if kind == k.NAME else "").run
-    op = "add" if node.verb == "add" else "set"
-    return lambda c: ("write", op, name, who(c), value(c))
-
-
-def _assign(x: Statements, node: s.Write) -> Act:
-    if node.verb != "assign":
-        return _write(x, node)
-    value = node.value
-    if not isinstance(value, s.Name) or x.scope.group(value.name) is None:
-        at = node.at if value is None else value.at
-        raise Mistake("R301", at, "a group of balls is due after `assign`", "name a group")
-    return _write(x, node)
-
-
-def _turn(x: Statements, node: s.Turn) -> Act:
-    if node.continues:
-        return lambda _c: ("turn", True, None)
-    if node.who is None:
-        return lambda _c: ("turn", False, None)
-    who = x.value(node.who, k.PLAYER).run
-    return lambda c: ("turn", False, who(c))
-
-
-def _go_to_phase(x: Statements, node: s.GoToPhase) -> Act:
-    made = ("phase", x.scope.phase(node.phase, node.at))
-    x.scope.used.add(f"phase {node.phase}")
-    return lambda _c: made
-
-
-def _spot(x: Statements, node: s.SpotBalls) -> Act:
-    balls = x.value(node.balls, k.BALLS).run
-    for place in node.places:
-        if place.spot is not None:
-            x.scope.place("spot", place.spot, place.at)
-    places = tuple((place.kind, place.spot, place.toward) for place in node.places)
-    return lambda c: ("spot", balls(c), places)
-
-
-def _remove(x: Statements, node: s.RemoveBalls) -> Act:
-    balls = x.value(node.balls, k.BALLS).run
-    return lambda c: ("remove", balls(c))
-
-
-def _rerack(x: Statements, node: s.RackAgain) -> Act:
-    keeping = (lambda _c: 0) if node.keeping is None else x.value(node.keeping, k.BALLS).run
-    return lambda c: ("rerack", keeping(c))
-
-
-def _give(x: Statements, node: s.GiveInHand) -> Act:
-    who = x.value(node.who, k.PLAYER).run
-    zone = node.zone
-    if zone is not None:
-        x.scope.place("zone", zone, node.at)
-    elif x.scope.vocabulary.zones:
-        raise Mistake(
-            "R203",
-            node.at,
-            "the ball is in hand in no zone",
-            f"say `in {x.scope.vocabulary.zones[0]}`",
-        )
-    return lambda c: ("hand", who(c), zone)
-
-
-def _require(x: Statements, node: s.Require) -> Act:
-    who = x.value(node.who, k.PLAYER).run
-    what = node.what if node.verb == "require" else f"may {node.what}"
-    return lambda c: ("require", who(c), what)
-
-
-def _win(x: Statements, node: s.Win) -> Act:
-    unit = "match" if node.unit == "match" else "game"
-    if node.who is None:
-        return lambda _c: ("end", unit, 0)
-    if isinstance(node.who, s.Player) and node.who.words == "leader":
-        return lambda c: ("end", unit, leader(c))
-    who = x.value(node.who, k.PLAYER).run
-    if node.verb == "wins":
-        return lambda c: ("end", unit, who(c))
-    return lambda c: ("end", unit, opponent(c, who(c)))
-
-
-def _seat(x: Statements, node: s.Seat) -> Act:
-    who = x.value(node.who, k.PLAYER).run
-    out = node.verb == "eliminate"
-    return lambda c: ("seat", who(c), out)
-
-
-def _plays(x: Statements, node: s.Plays) -> Act:
-    who = x.value(node.who, k.PLAYER).run
-    return lambda c: ("plays", who(c))
-
-
-_ACTIONS: dict[type, Callable[[Statements, Any], Act]] = {
-    s.Foul: _foul,
-    s.Award: _award,
-    s.Write: _assign,
-    s.Turn: _turn,
-    s.GoToPhase: _go_to_phase,
-    s.SpotBalls: _spot,
-    s.RemoveBalls: _remove,
-    s.RackAgain: _rerack,
-    s.RestoreTable: lambda _x, _n: lambda _c: ("restore",),
-    s.GiveInHand: _give,
-    s.Require: _require,
-    s.Win: _win,
-    s.Seat: _seat,
-    s.Plays: _plays,
-    s.NothingHappens: lambda _x, _n: lambda _c: None,
-}
