@@ -18,7 +18,7 @@ from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.foresee import K_DROP, K_NOSE, K_PAIR, foresee, next_event
 from engine.physics.motion import begin
 from engine.physics.predict import NEVER
-from engine.physics.rebound import bounce
+from engine.physics.rebound import meet_nose
 from engine.physics.record import (
     CAP,
     EVENTS,
@@ -115,7 +115,7 @@ def run(
             nose = int(foreseen[who, K_NOSE])
             move(balls, kinds, world, pieces, counts, who, now)
             ix, iy = into(balls[who], noses[nose])
-            speed = bounce(balls[who], world, ix, iy)
+            speed = meet_nose(balls[who], world, noses[nose], ix, iy)
             note(events, counts, NOSE, now, who, float(nose), speed)
             kinds[who] = begin(balls[who], world)
             if kinds[who] == REST:
