@@ -41,6 +41,8 @@ def rows() -> Iterator[dict[str, object]]:
             for record in records
             if record.steps[0].shot.events
         ]
+        if not shots:
+            continue
         for explain in (False, True):
             name = f"judge {game}, explanation {'on' if explain else 'off'}"
             yield _row(name, _timed(partial(_judge_all, shots, explain=explain)), len(shots))
