@@ -1,0 +1,1 @@
+"""Random shots under the monitor: `python -m tools.soak physics --shots N`."""
