@@ -53,7 +53,8 @@ def resolve(name_or_path: str | Path) -> Path:
         reason = "it is a folder" if path.is_dir() else "there is no such file"
     except (OSError, ValueError):
         reason = "this is no path of a file"
-    known = [one.stem for one in sorted(shipped_folder().glob("*.toml"))]
+    near = sorted(Path().glob("*.toml"))
+    known = [one.stem for one in (*sorted(shipped_folder().glob("*.toml")), *near)]
     message = f"no variant `{written[:80]}`: {reason}"
     mend = nearest(path.stem[:80], known)
     raise VariantError([Diagnostic("V001", written[:80], 1, 1, message, mend)])
