@@ -88,12 +88,24 @@ def keys() -> str:
     return f"| key | what it does |\n|---|---|\n{rows}\n"
 
 
+def validation() -> str:
+    """Return how many published figures are met, by group."""
+    from tools.validate.adapters import run_check  # noqa: PLC0415
+    from tools.validate.check import read_checks  # noqa: PLC0415
+    from tools.validate.tell import as_table, summary  # noqa: PLC0415
+
+    checks = read_checks(ROOT / "tests" / "validation" / "checks.json")
+    results = [run_check(check) for check in checks]
+    return f"\n{summary(results)}\n\n{as_table(results)}\n"
+
+
 MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
     "script-codes": script_codes,
     "commands": commands,
     "keys": keys,
+    "validation": validation,
 }
 
 

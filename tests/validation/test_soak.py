@@ -42,8 +42,8 @@ def test_every_model_takes_its_turn():
 
 
 def test_a_storm_is_kept_and_its_record_replays(monkeypatch, tmp_path):
-    def storm(world, layout, ball, strike):
-        raise EventStormError(layout, ball, strike)
+    def storm(*shot):
+        raise EventStormError(*shot[1:])
 
     monkeypatch.setattr(watch, "simulate", storm)
     tally = run(PLAN, len(PLAN.variants))
