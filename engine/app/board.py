@@ -66,7 +66,7 @@ def board_of(session: Session) -> Board:
     )
     return Board(
         title=variant.title,
-        phase=", ".join([f"phase: {spoken(now.phase)}", *settings_words(now)]),
+        phase=", ".join([*phase_words(now), *settings_words(now)]),
         players=tuple(player_line(variant, now, player) for player in range(1, now.players + 1)),
         on=marked,
         on_words=named_balls(variant, marked, now.on_table - {cue}),
@@ -94,6 +94,11 @@ def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLi
         player == situation.shooter and not situation.over,
         tuple(notes),
     )
+
+
+def phase_words(situation: Situation) -> list[str]:
+    """Return the phase in words; nothing for a game without phases."""
+    return [f"phase: {spoken(situation.phase)}"] if situation.phase else []
 
 
 def settings_words(situation: Situation) -> list[str]:

@@ -136,8 +136,9 @@ def read_value(variant: Variant, key: str, text: str) -> Value:
     Raises SettingError for a setting that the variant does not have, or that does not read so.
     """
     if key not in variant.settings:
-        known = ", ".join(variant.settings) or "none"
-        raise SettingError(f"{variant.title} has no setting {key}; it has: {known}")
+        known = ", ".join(variant.settings)
+        has = f"; it has: {known}" if known else " and none other"
+        raise SettingError(f"{variant.title} has no setting {key}{has}")
     default = variant.settings[key].default
     if isinstance(default, bool):
         words = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}

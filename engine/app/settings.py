@@ -108,4 +108,5 @@ def _mend(error: object) -> str:
     if found["type"] == "extra_forbidden":
         known = ", ".join(Settings.model_fields)
         return f"there is no such setting; the settings are {known}"
-    return f"{found['input']!r} does not fit: {found['msg'][0].lower()}{found['msg'][1:]}"
+    told = found["msg"].replace("a valid integer", "a whole number").removeprefix("Input ")
+    return f"{found['input']!r} does not fit: it {told}"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from engine.game.referee import on_the_bed, take_in_hand
+from engine.game.referee import announce, on_the_bed, take_in_hand
 from engine.game.situation import Rest, Situation, as_rules_see, empty
 from engine.game.spotting import place_ball
 from engine.table.furniture import BallId, ZoneId
@@ -59,7 +59,8 @@ def start_match(
     fewest, most, usual = variant.players
     count = usual if players is None else players
     if not fewest <= count <= most:
-        raise SettingError(f"{variant.title} is for {fewest} to {most} players, not {count}")
+        many = str(most) if fewest == most else f"{fewest} to {most}"
+        raise SettingError(f"{variant.title} is for {many} players, not {count}")
     chosen = check_settings(variant, settings)
     return Match(variant, seed, chosen, start_game(variant, count, chosen, seed))
 
@@ -69,8 +70,9 @@ def check_settings(variant: Variant, settings: Mapping[str, Value]) -> dict[str,
     values = {name: setting.default for name, setting in variant.settings.items()}
     for name, value in settings.items():
         if name not in values:
-            known = ", ".join(values) or "none"
-            raise SettingError(f"{variant.title} has no setting {name}; it has: {known}")
+            known = ", ".join(values)
+            has = f"; it has: {known}" if known else " and none other"
+            raise SettingError(f"{variant.title} has no setting {name}{has}")
         setting = variant.settings[name]
         if type(value) is not type(setting.default):
             kind = {bool: "true or false", int: "a whole number"}.get(type(setting.default), "text")
@@ -134,7 +136,7 @@ def start_state(variant: Variant, players: int, breaker: int = 1) -> dict[str, T
 
 
 def _open(variant: Variant, situation: Situation) -> Situation:
-    """Return the situation after what the script does at the start of a game."""
+    """Return the situation after what the script does, and offers, at the start of a game."""
     decided = start(variant.program, as_rules_see(situation))
     given = decided.in_hand
     zone = None if given is None or given.zone is None else ZoneId(given.zone)
@@ -145,7 +147,7 @@ def _open(variant: Variant, situation: Situation) -> Situation:
         shooter=decided.next_player or situation.shooter,
     )
     ready = take_in_hand(variant, begun, zone)
-    return ready if zone else on_the_bed(variant, ready)
+    return announce(variant, ready if zone else on_the_bed(variant, ready))
 
 
 def advance(match: Match, shot: Shot, verdict: Verdict) -> Match:

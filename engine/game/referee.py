@@ -148,7 +148,7 @@ def _follow(
     after = take_in_hand(variant, after, in_hand)
     if not decided.endings and cue_ball_of(variant, shooter) not in after.on_table:
         after = on_the_bed(variant, after)
-    return _end(after, decided) if decided.endings else _announce(variant, after)
+    return _end(after, decided) if decided.endings else announce(variant, after)
 
 
 def take_in_hand(variant: Variant, situation: Situation, zone: ZoneId | None) -> Situation:
@@ -187,7 +187,7 @@ def _end(after: Situation, decided: Decisions) -> Situation:
     )
 
 
-def _announce(variant: Variant, after: Situation) -> Situation:
+def announce(variant: Variant, after: Situation) -> Situation:
     """Return the situation with what the script offers before the next shot."""
     if after.offers:
         return after

@@ -28,7 +28,7 @@ def test_a_whole_number_does_for_the_size_of_the_text(tmp_path):
         ('\nrenderer = "oil"\n', 2, ("renderer", "'wireframe'", "'scanline'")),
         ("rate = 0\n", 1, ("rate", "greater than or equal to 1")),
         ("width = 1280\nheigth = 720\n", 2, ("heigth", "no such setting", "height")),
-        ("rate = true\n", 1, ("rate", "integer")),
+        ("rate = true\n", 1, ("rate", "whole number")),
     ],
 )
 def test_a_bad_value_is_told_with_place_and_mend(tmp_path, text, line, words):
