@@ -15,7 +15,7 @@ from rulelang.closures import constant_name, joined, kind_mend
 from rulelang.code import Code, Mistake
 from rulelang.events_told import fits_set
 from rulelang.scope import nearest
-from rulelang.watch import at_cushion, lie_in, touching
+from rulelang.watch import at_cushion, lie_in, together, touching
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -98,6 +98,10 @@ class Conditions:
             case "in":
                 zone = self.x.scope.place("zone", test.place or "", test.at)
                 return Code(k.BALLS, lambda c: lie_in(c, zone, start=frozen))
+            case "together in":
+                zones = self.x.scope.zones(test.place or "", test.at)
+                whole = base.run
+                return Code(k.BALLS, lambda c: together(c, whole(c), zones, start=frozen))
             case "in hand":
                 return Code(k.BALLS, self._in_hand(test))
             case "frozen to cushion":

@@ -54,6 +54,9 @@ class Declarations:
                 self._header(script, node)
             case s.Phases():
                 self._phases(script, node)
+            case s.Zones():
+                if self._new(script, node.name, node.at):
+                    self._zones(script, node)
             case s.Track():
                 if self._new(script, node.name, node.at):
                     self._track(script, node)
@@ -80,9 +83,17 @@ class Declarations:
         self.scope.phases = tuple(dict.fromkeys(names))
         self.phase_places = [(script, name, at) for name, at in node.names]
 
+    def _zones(self, script: s.Script, node: s.Zones) -> None:
+        for name, at in node.members:
+            try:
+                self.scope.place("zone", name, at)
+            except Mistake as trouble:
+                self.tell(script, trouble)
+        self.scope.families[node.name] = tuple(name for name, _ in node.members)
+
     def _new(self, script: s.Script, name: str, at: s.Span) -> bool:
         scope = self.scope
-        taken = (*scope.tracks, *scope.facts, *scope.defines)
+        taken = (*scope.families, *scope.tracks, *scope.facts, *scope.defines)
         if name in scope.owners and name in taken:
             other = scope.owners[name]
             earlier = _line_of(other, name)
@@ -177,7 +188,7 @@ class Declarations:
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
         for name in re.findall(
-            r"^(?:define|track|fact) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
+            r"^(?:define|track|fact|zones) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
         ):
             self.scope.poisoned.add(name)
         phases = re.search(r"^phases +([a-z0-9 ,-]+)", script.source, re.MULTILINE)
@@ -187,7 +198,7 @@ class Declarations:
 
 def _line_of(script: s.Script, name: str) -> int:
     for node in script.declarations:
-        if isinstance(node, s.Define | s.Track | s.Fact) and node.name == name:
+        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact) and node.name == name:
             return node.at.line
     return 1
 

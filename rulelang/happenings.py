@@ -107,8 +107,18 @@ class Happenings:
                 lambda c, who, _lo, _hi: who & w.lie_in(c, zone, start=True),
                 lambda _c, _who, _lo, _hi: [],
             ), ()
+        if word == "stayed together in":
+            return self._stayed(verb)
         assert target is not None  # noqa: S101
         return self._on_target(t.TARGET_VERBS[word], target)
+
+    def _stayed(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
+        zones = self.x.scope.zones(verb.place or "", verb.at)
+        self.x.scope.asks.update(zones)
+        return t.Telling(
+            lambda c, who, _lo, _hi: w.stayed_together(c, who, zones),
+            lambda _c, _who, _lo, _hi: [],
+        ), ()
 
     def _at_place(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
         number, sort = t.PLACE_VERBS[verb.word]

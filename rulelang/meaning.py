@@ -162,7 +162,7 @@ def _unused(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> 
 
 def _place_of(script: s.Script, name: str) -> s.Span | None:
     for node in script.declarations:
-        if isinstance(node, s.Define | s.Track | s.Fact) and node.name == name:
+        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact) and node.name == name:
             return node.at
     return None
 

@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from rulelang.program import SECTIONS
 
 _VERBS = r"(?:pocketed|hit|left|crossed|entered|jumped|toppled|touched|rebounded|settled|pressed)"
-_HEADS = r"(?:rule|if|for|otherwise|define|offer|at|track|fact|phases|uses|game|language)\b"
+_HEADS = r"(?:rule|if|for|otherwise|define|offer|at|track|fact|phases|zones|uses|game|language)\b"
 _NOT = "put `not` before the whole event: `not cue ball hit any object ball`"
 _PLAYERS = "say `shooter`, `opponent`, `next player` or `breaker`"
 _OTHERS = {

@@ -33,6 +33,7 @@ class Scope:
     balls: int = 0
     pins: int = 0
     phases: tuple[str, ...] = ()
+    families: dict[str, tuple[str, ...]] = field(default_factory=dict)
     tracks: dict[str, Track] = field(default_factory=dict)
     track_kinds: dict[str, str] = field(default_factory=dict)
     facts: dict[str, FactDecl] = field(default_factory=dict)
@@ -98,6 +99,20 @@ class Scope:
             return name
         listed = f"the {sort}s are {', '.join(table)}" if table else f"this table has no {sort}s"
         raise Mistake("R203", at, f'"{name}" is not a {sort}', nearest(name, table) or listed)
+
+    def zones(self, name: str, at: s.Span) -> tuple[str, ...]:
+        """Return the zones declared under `name`, or the zone of that name; else raise R203."""
+        if name in self.families:
+            self.used.add(name)
+            return self.families[name]
+        if name in self.poisoned:
+            raise Mistake("R203", at, "", silent=True)
+        if name in self.vocabulary.zones:
+            return (name,)
+        known = (*self.families, *self.vocabulary.zones)
+        listed = f"declare it: zones {name} are ..."
+        message = f'"{name}" is not a zone, nor the name of several'
+        raise Mistake("R203", at, message, nearest(name, known) or listed)
 
     def phase(self, name: str, at: s.Span) -> str:
         """Return `name` if it is a phase; else raise R202."""

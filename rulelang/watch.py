@@ -323,6 +323,28 @@ def lie_in(watch: Watch, zone: str, *, start: bool) -> int:
     return mask & watch.on_after
 
 
+def together(watch: Watch, balls: int, zones: tuple[str, ...], *, start: bool) -> int:
+    """Return `balls` if all of them lie in one and the same of `zones`, else nothing."""
+    for zone in zones:
+        if not balls & ~lie_in(watch, zone, start=start):
+            return balls
+    return 0
+
+
+def stayed_together(watch: Watch, balls: int, zones: tuple[str, ...]) -> int:
+    """Return `balls` if all began in one and the same of `zones` and none left it, else nothing.
+
+    A ball that left the bed, if only to come back, has left its zone.
+    """
+    if balls & (watch.seen[LEFT_TABLE] | watch.seen[OUTSIDE] | watch.seen[POCKETED]):
+        return 0
+    for zone in zones:
+        left = sum({ball for _, ball, place in watch.ev[LEFT_ZONE] if place == zone})
+        if not balls & (left | ~lie_in(watch, zone, start=True)):
+            return balls
+    return 0
+
+
 def touching(watch: Watch, balls: int, *, start: bool) -> int:
     """Return the mask of balls frozen to any of `balls`, at the start or at rest."""
     shot = watch.shot

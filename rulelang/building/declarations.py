@@ -70,6 +70,11 @@ def _define(n: Any) -> list[s.Declaration]:
     return [s.Define(span(name), text(name), frozen is not None, tuple(cases))]
 
 
+def _zones(n: Any) -> list[s.Declaration]:
+    name, *members = n.children
+    return [s.Zones(span(name), text(name), tuple((text(c), span(c)) for c in members))]
+
+
 _DECLARATIONS: dict[str, Callable[[Any], list[s.Declaration]]] = {
     "language": _header,
     "game": _header,
@@ -77,6 +82,7 @@ _DECLARATIONS: dict[str, Callable[[Any], list[s.Declaration]]] = {
     "order": lambda n: [s.Header(span(n), "spotting", text(n.children[0]))],
     "settled": lambda n: [s.Header(span(n), "settled", text(n.children[0]))],
     "phases": lambda n: [s.Phases(span(n), tuple((text(c), span(c)) for c in n.children))],
+    "zones": _zones,
     "track": _track,
     "fact": _fact,
     "home": lambda n: [s.Home(span(n), expression(n.children[0]), text(n.children[1]))],

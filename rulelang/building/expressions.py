@@ -96,6 +96,7 @@ _PLACE_VERBS = {
     "rebounded": "rebounded",
     "settled_in": "settled",
     "started": "started in",
+    "stayed": "stayed together in",
     "placed_in": "placed in",
     "placed_outside": "placed outside",
 }
@@ -150,6 +151,8 @@ def _test(node: Any) -> s.Test:
             return s.Test(at, "in hand", place=named(child))
         case "state_in":
             return s.Test(at, "in", place=named(child))
+        case "state_together":
+            return s.Test(at, "together in", place=named(child))
         case "state_frozen":
             return s.Test(at, "frozen to cushion", place=named(child))
         case "state_touching":

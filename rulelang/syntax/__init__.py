@@ -14,6 +14,7 @@ from rulelang.syntax.declarations import (
     Rule,
     Script,
     Track,
+    Zones,
 )
 from rulelang.syntax.expressions import (
     Arithmetic,
@@ -81,5 +82,6 @@ __all__ = [
     "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices", "OnTable", "OpponentOf",
     "Phases", "PlaceAt", "Player", "Plays", "Quantified", "RackAgain", "RemoveBalls", "Require",
     "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script", "Seat", "Sequence", "Span",
-    "SpotBalls", "Statement", "Test", "Total", "Track", "Turn", "Verb", "Win", "Write", "walk",
+    "SpotBalls", "Statement", "Test", "Total", "Track", "Turn", "Verb", "Win", "Write", "Zones",
+    "walk",
 ]  # fmt: skip

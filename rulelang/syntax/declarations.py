@@ -86,7 +86,16 @@ class Phases:
     names: tuple[tuple[str, Span], ...]
 
 
-Declaration = Header | Phases | Track | Fact | Home | Define
+@dataclass(frozen=True, slots=True)
+class Zones:
+    """Zones under one name, any of which balls may lie in together."""
+
+    at: Span
+    name: str
+    members: tuple[tuple[str, Span], ...]
+
+
+Declaration = Header | Phases | Zones | Track | Fact | Home | Define
 
 
 @dataclass(frozen=True, slots=True)

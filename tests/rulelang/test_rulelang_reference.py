@@ -21,7 +21,7 @@ ALSO = {
     ("cue hits 8", "cue hits 8 and 9"),
     ("8 topples left-pin", "8 and 9 topple left-pin"),
 }
-TABLE = replace(POOL, pins=("left-pin", "right-pin"))
+TABLE = replace(POOL, pins=("left-pin", "right-pin"), zones=(*POOL.zones, "foot-end"))
 
 
 @pytest.mark.parametrize("example", EXAMPLES)
