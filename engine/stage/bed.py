@@ -10,6 +10,7 @@ import numpy as np
 from engine.scene.shape import make_mesh
 from engine.stage import plan
 from engine.stage.dimensions import DEPTH, RIM_STEPS
+from engine.stage.region import clip, convex_pieces, stations, tidy
 
 if TYPE_CHECKING:
     from engine.scene.shape import Mesh, Rgb
@@ -28,15 +29,26 @@ def build_bed(table: Table, frame: Frame, colour: Rgb) -> Mesh:
     xs = [float(x) for x in np.linspace(-width, width, columns + 1)]
     ys = [float(y) for y in np.linspace(-height, height, rows + 1)]
     cells: list[plan.Polygon] = []
+    whole = _outlined(table, frame)
     for x0, x1 in itertools.pairwise(xs):
         for y0, y1 in itertools.pairwise(ys):
-            cells.extend(_less_holes(plan.rectangle(x0, y0, x1, y1), table.pockets))
+            cell = plan.rectangle(x0, y0, x1, y1)
+            for part in whole or [cell]:
+                cells.extend(_less_holes(clip(cell, part) if whole else cell, table.pockets))
     return flat_sheet(plan.weld(cells), 0.0, colour, layer=1)
 
 
+def _outlined(table: Table, frame: Frame) -> list[plan.Polygon]:
+    """Return the bed under an outline's cushions in convex pieces; nothing for a rectangle."""
+    if not table.outline:
+        return []
+    border = [one.behind(frame.cushion_depth) for one in stations(table.outline)]
+    return convex_pieces(tidy(border))
+
+
 def _less_holes(cell: plan.Polygon, pockets: tuple[Pocket, ...]) -> list[plan.Polygon]:
-    pieces = [cell]
-    for pocket in pockets:
+    pieces = [cell] if cell else []
+    for pocket in pockets if cell else ():
         if plan.reaches(cell, pocket.centre, pocket.radius):
             pieces = [
                 part

@@ -7,18 +7,21 @@ where an outline bends the other way, each of its pieces is a part of its own.
 from __future__ import annotations
 
 import itertools
-from math import hypot
+from math import hypot, inf
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from engine.scene.shape import make_mesh
 from engine.stage import plan
+from engine.stage.region import stations, tidy
+from engine.table.region import ends, posts_of
 
 if TYPE_CHECKING:
     from engine.scene.shape import Mesh, Rgb
     from engine.stage.dimensions import Frame
-    from engine.table.furniture import Point, Table
+    from engine.stage.region import Station
+    from engine.table.furniture import Point, Shape, Table
 
 TURN = 0.2
 """The longest step along a curve, rad."""
@@ -30,7 +33,10 @@ RISE = 0.06
 
 def build_cushions(table: Table, frame: Frame, colour: Rgb) -> list[Mesh]:
     """Return the parts of every cushion of a table, mitred where two noses meet."""
-    noses = [plan.trace_shapes(cushion.shapes, TURN) for cushion in table.cushions]
+    if table.outline:
+        return [part for run in _runs(table) for part in _lining(table, run, frame, colour)]
+    standing = {post.id for post in posts_of(table)}
+    noses = [plan.trace_shapes(c.shapes, TURN) for c in table.cushions if c.id not in standing]
     parts = []
     for nose in noses:
         before = next((n[-2] for n in noses if _same(n[-1], nose[0])), None)
@@ -165,3 +171,72 @@ def _prism(
         side = (i, count + i, count + after, after)
         (hidden if backs[i] and backs[after] else shown).append(side)
     return make_mesh(np.array([*tops, *feet]), shown, colour, hidden=hidden)
+
+
+def _runs(table: Table) -> list[list[Shape]]:
+    """Return the noses round the bed in runs without a gap; a single run may be closed."""
+    standing = {post.id for post in posts_of(table)}
+    shapes = [shape for c in table.cushions if c.id not in standing for shape in c.shapes]
+    runs: list[list[Shape]] = []
+    for shape in shapes:
+        if runs and _same(ends(runs[-1][-1])[1], ends(shape)[0]):
+            runs[-1].append(shape)
+        else:
+            runs.append([shape])
+    if len(runs) > 1 and _same(ends(runs[-1][-1])[1], ends(runs[0][0])[0]):
+        runs[0] = [*runs.pop(), *runs[0]]
+    return runs
+
+
+def _lining(table: Table, run: list[Shape], frame: Frame, colour: Rgb) -> list[Mesh]:
+    """Return the parts along a run of noses, from station to station, with the jaws at its ends."""
+    closed = _same(ends(run[0])[0], ends(run[-1])[1])
+    places = stations(run, closed=closed, longest=inf)
+    if closed:
+        places.append(places[0])
+    parts = []
+    nose = [place.point for place in places]
+    jaws = _with_jaws(table, [nose[0], nose[-1]])
+    split = jaws.index(nose[0])
+    before, after = jaws[:split], jaws[split + 2 :]
+    last = len(places) - 2
+    for index, (a, b) in enumerate(itertools.pairwise(places)):
+        if not closed and ((before and index == 0) or (after and index == last)):
+            chain = [
+                *(before if index == 0 else []),
+                a.point,
+                b.point,
+                *(after if index == last else []),
+            ]
+            out = _out(a.point, b.point)
+            ways = (
+                out if before and index == 0 else _level(a, frame),
+                out if after and index == last else _level(b, frame),
+            )
+            parts.append(_part(chain, (a.point, b.point), ways, frame, colour))
+        else:
+            parts += _cell(a, b, frame, colour)
+    return parts
+
+
+def _level(station: Station, frame: Frame) -> Point:
+    """Return the way from a station's nose to its place at the wood, as if one metre long."""
+    x, y = station.behind(frame.cushion_depth)
+    size = frame.cushion_depth
+    return (x - station.point[0]) / size, (y - station.point[1]) / size
+
+
+def _cell(a: Station, b: Station, frame: Frame, colour: Rgb) -> list[Mesh]:
+    """Return the part between two stations: nose, wood, top and foot."""
+    depth = frame.cushion_depth
+    polygon = tidy([b.point, a.point, a.behind(depth), b.behind(depth)])
+    if not polygon:
+        return []
+    fronts = [point in (a.point, b.point) for point in polygon]
+    tops = [
+        (x, y, frame.nose + (0.0 if front else RISE * depth))
+        for (x, y), front in zip(polygon, fronts, strict=True)
+    ]
+    foot = {a.point: a.behind(UNDERCUT), b.point: b.behind(UNDERCUT)}
+    feet = [(*foot.get(point, point), 0.0) for point in polygon]
+    return [_prism(tops, feet, [not front for front in fronts], colour)]

@@ -8,6 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from engine.stage.region import stations
+from engine.table.region import distance_to, is_hole
+
 if TYPE_CHECKING:
     from engine.table.furniture import Table
 
@@ -28,6 +31,7 @@ class Frame:
     inner: tuple[float, float]
     outer: tuple[float, float]
     cushion_depth: float
+    rail: float
     nose: float
     top: float
 
@@ -35,6 +39,8 @@ class Frame:
 def measure(table: Table) -> Frame:
     """Return the frame of a table; the wood is as wide as its pockets need."""
     depth = min(0.05, 0.45 * table.rail_width)
+    if table.outline:
+        return _measure_outline(table, depth)
     half = table.length / 2.0, table.width / 2.0
     reach = [
         max(abs(p.centre[axis]) + p.radius + 2.0 * LINER - half[axis] for p in table.pockets)
@@ -47,6 +53,29 @@ def measure(table: Table) -> Frame:
         inner=(half[0] + depth, half[1] + depth),
         outer=(half[0] + rail, half[1] + rail),
         cushion_depth=depth,
+        rail=rail,
+        nose=table.nose_height,
+        top=table.nose_height + 0.007,
+    )
+
+
+def _measure_outline(table: Table, depth: float) -> Frame:
+    """Return the frame about an outline: the boxes behind its cushions and about its wood."""
+    places_of = stations(table.outline)
+    rail = table.rail_width
+    for pocket in table.pockets:
+        if not is_hole(pocket):
+            near = min(distance_to(shape, pocket.centre) for shape in table.outline)
+            rail = max(rail, near + pocket.radius + 2.0 * LINER)
+    boxes = []
+    for reach in (depth, rail):
+        places = [one.behind(reach) for one in places_of]
+        boxes.append((max(abs(x) for x, _ in places), max(abs(y) for _, y in places)))
+    return Frame(
+        inner=boxes[0],
+        outer=boxes[1],
+        cushion_depth=depth,
+        rail=rail,
         nose=table.nose_height,
         top=table.nose_height + 0.007,
     )

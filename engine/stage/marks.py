@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from math import cos, hypot, pi, sin
+from math import cos, hypot, inf, pi, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,14 +12,17 @@ from engine.scene.shape import Disc as FlatDisc
 from engine.scene.shape import Mesh, Polyline
 from engine.stage import plan
 from engine.stage.bed import flat_sheet
-from engine.table.furniture import Area, Disc, HalfPlane
+from engine.stage.region import clip, convex_pieces, stations
+from engine.table.furniture import Area, Disc, HalfPlane, Straight
+from engine.table.mouth import length_of, point_along
+from engine.table.region import on_bed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from engine.scene.shape import Rgb
     from engine.stage.dimensions import Frame
-    from engine.table.furniture import Point, Table, Zone
+    from engine.table.furniture import Line, Point, Table, Zone
 
 LIFT = 0.0004
 """Height of what is painted on the cloth, m."""
@@ -28,17 +31,21 @@ PAINT = 0.7
 """How much a line on the cloth covers."""
 SPOT_RADIUS = 0.0065
 ARC_STEPS = 48
+LINE_STEPS = 200
 SHADE: Rgb = (0, 0, 0)
 SHADE_REACH = (0.006, 0.012, 0.019, 0.027)
+LONG_SIDE = 0.5
+"""A straight side of an outline has sights from this length on, m."""
 GLEAM: Rgb = (235, 245, 235)
 
 
 def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
     """Return the lines across the bed, and the arcs of zones with a round border."""
     straight = [
-        flat_path((line.start, line.end), colour, alpha=PAINT)
+        flat_path(run, colour, alpha=PAINT)
         for line in table.lines.values()
         if line.drawn
+        for run in _line_runs(line, table)
     ]
     round_zones = [
         (part, zone)
@@ -56,6 +63,22 @@ def build_lines(table: Table, colour: Rgb) -> tuple[Polyline, ...]:
     return (*straight, *arcs)
 
 
+def _line_runs(line: Line, table: Table) -> list[list[Point]]:
+    """Return the runs of a line that lie on the bed; on a rectangle it is whole."""
+    (ax, ay), (bx, by) = line.start, line.end
+    if not table.outline:
+        return [[line.start, line.end]]
+    steps = [k / LINE_STEPS for k in range(LINE_STEPS + 1)]
+    runs: list[list[Point]] = [[]]
+    for share in steps:
+        point = ax + share * (bx - ax), ay + share * (by - ay)
+        if on_bed(table, point, 1e-6):
+            runs[-1] = [*runs[-1][:1], point]
+        elif runs[-1]:
+            runs.append([])
+    return [run for run in runs if len(run) > 1]
+
+
 def _arc_runs(disc: Disc, zone: Area, table: Table) -> list[list[Point]]:
     """Return the runs of a disc's rim that lie in the rest of its zone and on the bed."""
     turns = [2.0 * pi * k / ARC_STEPS for k in range(ARC_STEPS + 1)]
@@ -63,8 +86,9 @@ def _arc_runs(disc: Disc, zone: Area, table: Table) -> list[list[Point]]:
     runs: list[list[Point]] = [[]]
     for turn in turns:
         point = x + r * cos(turn), y + r * sin(turn)
-        inside = abs(point[0]) <= table.length / 2.0 and abs(point[1]) <= table.width / 2.0
-        if inside and all(_holds(part, point) for part in zone.parts if part is not disc):
+        if on_bed(table, point) and all(
+            _holds(part, point) for part in zone.parts if part is not disc
+        ):
             runs[-1].append(point)
         elif runs[-1]:
             runs.append([])
@@ -147,6 +171,8 @@ def build_spots(table: Table, colour: Rgb) -> tuple[FlatDisc, ...]:
 
 def build_sights(table: Table, frame: Frame, colour: Rgb) -> list[Mesh]:
     """Return the sights on the wood: eighths of the long rails, quarters of the short ones."""
+    if table.outline:
+        return _outline_sights(table, frame, colour)
     wide, high = 0.011, 0.006
     sheets = []
     for axis, parts in ((0, 8), (1, 4)):
@@ -165,19 +191,43 @@ def build_sights(table: Table, frame: Frame, colour: Rgb) -> list[Mesh]:
     return sheets
 
 
+def _outline_sights(table: Table, frame: Frame, colour: Rgb) -> list[Mesh]:
+    """Return the sights on the wood of an outline: quarters of each long straight side."""
+    back = (frame.cushion_depth + frame.rail) / 2.0
+    sheets = []
+    for shape in table.outline:
+        if not isinstance(shape, Straight) or length_of(shape) < LONG_SIDE:
+            continue
+        for quarter in (0.25, 0.5, 0.75):
+            (x, y), (u, v) = point_along(shape, quarter * length_of(shape))
+            x, y = x + back * v, y - back * u
+            if any(hypot(x - p.centre[0], y - p.centre[1]) < 0.15 for p in table.pockets):
+                continue
+            ways = ((0.011 * u, 0.011 * v), (-0.006 * v, 0.006 * u))
+            rhomb = [(x + s * a, y + s * b) for s in (1.0, -1.0) for a, b in ways]
+            sheets.append(flat_sheet([rhomb], frame.top + 0.0006, colour, layer=2))
+    return sheets
+
+
 def tint_zone(zone: Zone, table: Table, colour: Rgb, alpha: float = 0.28) -> Mesh | None:
     """Return a tint over an area of the bed, or None where nothing of it is on the bed."""
     if not isinstance(zone, Area):
         return None
     x, y = table.length / 2.0, table.width / 2.0
-    polygon = plan.rectangle(-x, -y, x, y)
+    whole = [plan.rectangle(-x, -y, x, y)]
+    if table.outline:
+        whole = convex_pieces([place.point for place in stations(table.outline, longest=inf)])
+    polygons = [polygon for part in whole if (polygon := _zone_of(zone, part))]
+    if not polygons:
+        return None
+    return flat_sheet(polygons, LIFT / 2.0, colour, layer=1, alpha=alpha)
+
+
+def _zone_of(zone: Area, polygon: plan.Polygon) -> plan.Polygon:
+    """Return what of a convex polygon lies in an area."""
     for part in zone.parts:
         if isinstance(part, Disc):
-            rim = plan.circle(part.centre, part.radius, ARC_STEPS)
-            for a, b in zip(rim, (*rim[1:], rim[0]), strict=True):
-                polygon = polygon and plan.cut(polygon, a, (b[1] - a[1], a[0] - b[0]))
+            polygon = clip(polygon, plan.circle(part.centre, part.radius, ARC_STEPS))
         else:
             polygon = polygon and plan.cut(polygon, part.point, (-part.normal[0], -part.normal[1]))
-    if not polygon:
-        return None
-    return flat_sheet([polygon], LIFT / 2.0, colour, layer=1, alpha=alpha)
+    return polygon

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,17 +11,25 @@ import numpy as np
 from engine.scene.shape import make_mesh
 from engine.stage import plan
 from engine.stage.dimensions import APRON, LINER, RIM_STEPS
+from engine.stage.region import stations, tidy
+from engine.table.region import is_hole
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from engine.scene.shape import Mesh, Rgb
     from engine.stage.dimensions import Frame
     from engine.table.furniture import Pocket, Point, Table
+
+    Bottom = Callable[[Point, Point, Pocket | None], float | None]
 
 GLOSS = 0.35
 
 
 def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]:
     """Return the convex blocks of wood, each with its top and the sides that show."""
+    if table.outline:
+        return _outlined(table, frame, wood, liner)
     plain: list[plan.Polygon] = []
     round_pockets: list[tuple[plan.Polygon, Pocket]] = []
     for cell in _cells(table, frame):
@@ -29,9 +38,10 @@ def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]
             round_pockets.append((cell, near[0]))
         else:
             plain.append(cell)
-    blocks = [_block(_lengths(c), frame, [wood] * len(_lengths(c)), c) for c in plain]
+    bottom = partial(_bottom, frame=frame)
+    blocks = [_block(_lengths(c), frame, [wood] * len(_lengths(c)), bottom, c) for c in plain]
     blocks += [
-        _fan_block(wedge, pocket, frame, wood, liner)
+        _fan_block(wedge, pocket, frame, (wood, liner), bottom)
         for cell, pocket in round_pockets
         for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS)
     ]
@@ -74,11 +84,64 @@ def _cells(table: Table, frame: Frame) -> list[plan.Polygon]:
     return cells
 
 
-def _fan_block(wedge: plan.Polygon, pocket: Pocket, frame: Frame, wood: Rgb, liner: Rgb) -> Mesh:
+def _outlined(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]:
+    """Return the wood along an outline, from station to station."""
+    places = stations(table.outline)
+    pockets = [pocket for pocket in table.pockets if not is_hole(pocket)]
+    blocks = []
+    for a, b in zip(places, (*places[1:], places[0]), strict=True):
+        inner = a.behind(frame.cushion_depth), b.behind(frame.cushion_depth)
+        outer = a.behind(frame.rail), b.behind(frame.rail)
+        cell = tidy([inner[1], inner[0], outer[0], outer[1]])
+        if not cell:
+            continue
+        bottom = partial(_bottom_between, inner=inner, outer=outer)
+        near = [p for p in pockets if plan.reaches(cell, p.centre, p.radius)]
+        if near:
+            blocks += [
+                _fan_block(wedge, near[0], frame, (wood, liner), bottom)
+                for wedge in plan.wedges(cell, near[0].centre, near[0].radius, RIM_STEPS)
+            ]
+        else:
+            blocks.append(_block([cell], frame, [wood], bottom))
+    return blocks
+
+
+def _bottom_between(
+    a: Point,
+    b: Point,
+    pocket: Pocket | None,
+    inner: tuple[Point, Point],
+    outer: tuple[Point, Point],
+) -> float | None:
+    """Return how far down a side shows on a block between two lines, None for hidden."""
+    if max(_aside(p, *outer) for p in (a, b)) < 1e-6:
+        return -APRON
+    if max(_aside(p, *inner) for p in (a, b)) < 1e-6:
+        return 0.0
+    return _bottom_at_rim(a, b, pocket)
+
+
+def _aside(point: Point, a: Point, b: Point) -> float:
+    """Return how far a point lies beside the line from a to b; far off where there is none."""
+    size = _distance(a, b)
+    if size < 1e-6:
+        return 1.0
+    return abs((point[0] - a[0]) * (b[1] - a[1]) - (point[1] - a[1]) * (b[0] - a[0])) / size
+
+
+def _fan_block(
+    wedge: plan.Polygon,
+    pocket: Pocket,
+    frame: Frame,
+    colours: tuple[Rgb, Rgb],
+    bottom: Bottom,
+) -> Mesh:
     """Return a block whose top has a strip of liner along the pocket's rim."""
+    wood, liner = colours
     rim = [p for p in wedge if _distance(p, pocket.centre) < pocket.radius + 1e-6]
     if len(rim) != 2:
-        return _block([wedge], frame, [wood], None)
+        return _block([wedge], frame, [wood], bottom)
     (ax, ay), (bx, by) = rim
     size = _distance(rim[0], rim[1])
     out = ((ay - by) / size, (bx - ax) / size)
@@ -86,7 +149,7 @@ def _fan_block(wedge: plan.Polygon, pocket: Pocket, frame: Frame, wood: Rgb, lin
         out = (-out[0], -out[1])
     line = ax + out[0] * LINER, ay + out[1] * LINER
     tops = [plan.cut(wedge, line, out), plan.cut(wedge, line, (-out[0], -out[1]))]
-    return _block([t for t in tops if t], frame, [liner, wood], wedge, pocket, liner)
+    return _block([t for t in tops if t], frame, [liner, wood], bottom, wedge, pocket, liner)
 
 
 def _distance(a: Point, b: Point) -> float:
@@ -97,7 +160,8 @@ def _block(
     tops: list[plan.Polygon],
     frame: Frame,
     colours: list[Rgb],
-    outline: plan.Polygon | None,
+    bottom_of: Bottom,
+    outline: plan.Polygon | None = None,
     pocket: Pocket | None = None,
     liner: Rgb = (0, 0, 0),
 ) -> Mesh:
@@ -111,7 +175,7 @@ def _block(
     paint = list(colours[: len(tops)])
     hidden = []
     for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
-        bottom = _bottom(a, b, frame, pocket)
+        bottom = bottom_of(a, b, pocket)
         side = list(range(len(points), len(points) + 4))
         low = -APRON if bottom is None else bottom
         points += [(*a, frame.top), (*a, low), (*b, low), (*b, frame.top)]
@@ -123,7 +187,7 @@ def _block(
     return make_mesh(np.array(points), shown, paint, hidden=hidden, gloss=GLOSS)
 
 
-def _bottom(a: Point, b: Point, frame: Frame, pocket: Pocket | None) -> float | None:
+def _bottom(a: Point, b: Point, pocket: Pocket | None, frame: Frame) -> float | None:
     """Return how far down a side shows: the apron outside, the bed inside, None for hidden."""
     for axis in (0, 1):
         ends = abs(a[axis]), abs(b[axis])
@@ -133,6 +197,10 @@ def _bottom(a: Point, b: Point, frame: Frame, pocket: Pocket | None) -> float | 
             abs(p[1 - axis]) < frame.inner[1 - axis] + 1e-6 for p in (a, b)
         ):
             return 0.0
+    return _bottom_at_rim(a, b, pocket)
+
+
+def _bottom_at_rim(a: Point, b: Point, pocket: Pocket | None) -> float | None:
     if pocket and max(_distance(p, pocket.centre) for p in (a, b)) < pocket.radius + 1e-6:
         return 0.0
     return None

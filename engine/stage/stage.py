@@ -15,6 +15,7 @@ from engine.scene.scene import GameObject, Light, Scene
 from engine.scene.shape import Disc, Mesh, Polyline, Sphere
 from engine.stage import marks
 from engine.stage.bed import build_bed, build_pocket
+from engine.stage.bodies import build_hole_rims, build_posts
 from engine.stage.cue import CuePose, cue_meshes, place_cue
 from engine.stage.cushions import build_cushions
 from engine.stage.dimensions import measure
@@ -145,13 +146,16 @@ def stage_of(table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], lo
 
 def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline, ...]:
     liner = _mix(look.pocket, (58, 54, 50), 0.35)
+    rubber = _mix(look.cloth, (255, 255, 255), 0.07)
     return (
         *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
         build_bed(table, frame, look.cloth),
         *marks.build_shade(table),
         *marks.build_gleam(table),
         *marks.build_lines(table, CHALK),
-        *build_cushions(table, frame, _mix(look.cloth, (255, 255, 255), 0.07)),
+        *build_hole_rims(table, liner),
+        *build_cushions(table, frame, rubber),
+        *build_posts(table, frame, rubber, look.rail),
         *build_rails(table, frame, look.rail, liner),
         *(marks.build_sights(table, frame, SIGHT) if look.sights else ()),
     )

@@ -32,10 +32,11 @@ class MouthError(ValueError):
     """A pocket that cannot be cut where it should be."""
 
 
-def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape) -> Mouth:
+def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape, ball: float) -> Mouth:
     """Return the pocket cut where the nose `before` ends and the nose `after` begins.
 
-    Raises MouthError where the noses are too short for it or its figures do not fit.
+    Balls of at most `ball` (m) radius must pass between its facings. Raises MouthError where they
+    do not, where the noses are too short for it or its figures do not fit.
     """
     setback = _setback(cut, before, after)
     one, way_in = point_along(before, length_of(before) - setback)
@@ -48,6 +49,7 @@ def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape) -> Mo
     pocket = Pocket(name, centre, cut.radius, tips)
     entering = _jaw(cut, tips[0], way_in, axis, -1.0)
     leaving = _jaw(cut, tips[1], (-way_out[0], -way_out[1]), axis, 1.0)
+    _check_throat(cut, (entering[-1], leaving[-1]), axis, ball)
     for jaw in (entering, leaving):
         _check_span(pocket, jaw[-1])
     back = tuple(_reversed(shape) for shape in reversed(leaving))
@@ -94,6 +96,21 @@ def _jaw(cut: PocketCut, tip: Point, way: Point, axis: Point, hand: float) -> tu
     if reach <= _tangent(cut):
         return (shoulder,)
     return shoulder, Straight(_ahead(tip, facing, _tangent(cut)), _ahead(tip, facing, reach))
+
+
+def _check_throat(cut: PocketCut, lasts: tuple[Shape, Shape], axis: Point, ball: float) -> None:
+    """Raise where straight facings come too near to each other before the drop begins."""
+    places = []
+    for last in lasts:
+        if not isinstance(last, Straight):
+            return
+        way = point_along(last, 0.0)[1]
+        back = (cut.radius - cut.radius / 8.0) / (way[0] * axis[0] + way[1] * axis[1])
+        places.append(_ahead(last.end, way, -back))
+    gap = (places[1][0] - places[0][0]) * -axis[1] + (places[1][1] - places[0][1]) * axis[0]
+    if gap < 2.0 * ball:
+        message = f"its facings leave {max(gap, 0.0) * 1000:.0f} mm before the drop"
+        raise MouthError(f"{message}; a smaller cut angle opens it")
 
 
 def _check_span(pocket: Pocket, last: Shape) -> None:

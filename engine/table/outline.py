@@ -84,7 +84,7 @@ def build_outline(
     if faults:
         raise OutlineError(faults)
     chain, fillets = _rounded(corners, pieces, faults)
-    mouths = _mouths(corners, chain, faults)
+    mouths = _mouths(corners, chain, ball, faults)
     cushions = _cushions(corners, chain, fillets, mouths, ball, faults)
     pockets = [mouth.pocket for mouth in mouths if mouth]
     _check_drops(corners, cushions, pockets, faults)
@@ -301,14 +301,15 @@ def _rounded(
 
 
 def _mouths(
-    corners: Sequence[Corner], chain: Sequence[Shape], faults: list[Fault]
+    corners: Sequence[Corner], chain: Sequence[Shape], ball: float, faults: list[Fault]
 ) -> list[Mouth | None]:
     found: list[Mouth | None] = []
     for index, corner in enumerate(corners):
         mouth = None
         if corner.pocket is not None and corner.cut is not None:
             try:
-                mouth = cut_mouth(corner.pocket, corner.cut, chain[index - 1], chain[index])
+                before, after = chain[index - 1], chain[index]
+                mouth = cut_mouth(corner.pocket, corner.cut, before, after, ball)
             except MouthError as error:
                 message = f"pocket {corner.pocket} cannot be cut here: {error}"
                 mend = "compare its cut's figures with those of a shipped table"
