@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from engine.app.session import Aid
 from engine.game.observe import simulate_shot
 from engine.physics.events import BallsCollided, CushionHit, JawHit
 
@@ -25,12 +26,16 @@ SHORT = 0.35
 """How much (m) of an object ball's way is shown with the ghost ball."""
 
 
+SOON = 1.5
+"""Seconds of an object ball's way that are looked at for it."""
+
+
 @dataclass(frozen=True, slots=True)
 class Prediction:
     """Ways on the cloth (m): the cue ball's to its first contact, and on from there.
 
     `contact` is where the cue ball then is, None where it meets no ball; `object_way` is the
-    beginning of the ball's way that it meets; `ways` are all balls' whole ways.
+    beginning of the ball's way that it meets; `ways` are all balls' whole ways, where asked for.
     """
 
     to_contact: tuple[Point, ...]
@@ -45,21 +50,22 @@ def predict(session: Session) -> Prediction | None:
     if session.cue_place is None:
         return None
     trace = simulate_shot(session.variant, session.ahead, session.shot)
-    return read_prediction(trace, session.cue_ball)
+    return read_prediction(trace, session.cue_ball, whole=session.aid is Aid.ALL)
 
 
-def read_prediction(trace: Trace, ball: BallId) -> Prediction:
-    """Return the prediction that a trace holds for the ball struck."""
+def read_prediction(trace: Trace, ball: BallId, *, whole: bool = True) -> Prediction:
+    """Return the prediction that a trace holds for the ball struck, `whole` with all ways."""
     meeting = _first_meeting(trace, ball)
     end = meeting[0] if meeting else _first_rail(trace, ball)
     to_contact = _way(trace, ball, 0.0, end)
     radius = next(one.radius for one in trace.balls if one.id == ball)
-    moved = {event.ball for event in trace.events()}
+    soon = min(end + SOON, trace.duration)
+    moved = {event.ball for event in trace.events()} if whole else set()
     return Prediction(
         to_contact=to_contact,
         contact=to_contact[-1] if meeting else None,
         radius=radius,
-        object_way=_cut(_way(trace, meeting[1], end, trace.duration)) if meeting else (),
+        object_way=_cut(_way(trace, meeting[1], end, soon)) if meeting else (),
         ways=tuple(
             _way(trace, one.id, end if one.id == ball else 0.0, trace.duration)
             for one in trace.balls

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from engine.app.session import Mode
+from engine.table.furniture import Places
 
 if TYPE_CHECKING:
     from engine.app.keymap import Keymap
@@ -38,12 +39,13 @@ def buttons_of(session: Session, keymap: Keymap) -> list[Button]:
 def _offered(session: Session) -> list[tuple[str, str]]:
     wanted = session.wanted
     undo = ("Undo" if session.match.played else "", "undo")
+    redo = ("Redo" if session.later else "", "redo")
     why = ("Why" if session.last_stroke else "", "why")
     match session.mode:
         case Mode.CHOOSING:
-            return [("Take this choice", "confirm"), why, undo]
+            return [("Take this choice", "confirm"), why, undo, redo]
         case Mode.PLACING:
-            return [("Put it down", "confirm"), ("Camera", "camera"), undo]
+            return [("Put it down", "confirm"), ("Camera", "camera"), undo, redo]
         case Mode.CALLING:
             return [
                 ("Accept the call" if wanted.obliged else "Go on", "confirm"),
@@ -53,6 +55,7 @@ def _offered(session: Session) -> list[tuple[str, str]]:
                 ("Group" if wanted.group else "", "group"),
                 ("Back" if session.placing else "", "back"),
                 undo,
+                redo,
             ]
         case Mode.AIMING:
             back = wanted.anything or session.placing
@@ -62,6 +65,7 @@ def _offered(session: Session) -> list[tuple[str, str]]:
                 ("Camera", "camera"),
                 ("Back" if back else "", "back"),
                 undo,
+                redo,
             ]
         case Mode.STRIKING | Mode.ROLLING:
             return [("Skip to the end", "fast")]
@@ -78,6 +82,8 @@ def hint_of(session: Session) -> str:
         case Mode.CHOOSING:
             return "click a choice, or go up and down"
         case Mode.PLACING:
+            if session.placing and isinstance(session.placing.zone, Places):
+                return "click one of the marked places, or move it with the arrows"
             return "click or drag it within the bright zone, or move it with the arrows"
         case Mode.CALLING:
             things = " and ".join(

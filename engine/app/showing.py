@@ -18,6 +18,7 @@ from engine.scene.shape import Disc, Mesh, Polyline
 from engine.stage.cue import CuePose
 from engine.stage.marks import LIFT, flat_path, flat_ring, tint_zone
 from engine.stage.skin import facing
+from engine.table.furniture import Places
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from engine.scene.camera import Camera, Vector
     from engine.scene.scene import Scene
     from engine.stage.stage import Stage
-    from engine.table.furniture import BallId
+    from engine.table.furniture import BallId, Table, Zone
 
 FACING = facing()
 GOLD = (250, 196, 70)
@@ -122,16 +123,16 @@ class Showing:
         aids: list[Mesh | Polyline] = []
         discs: list[Disc] = []
         lying = session.layout
+        radius = self.stage.spheres[session.cue_ball].radius
         for ball, (x, y) in lying.items():
-            radius = self.stage.spheres[ball].radius
+            size = self.stage.spheres[ball].radius
             if ball == session.call.ball:
-                aids.append(flat_ring((x, y), 1.5 * radius, BLUE, 0.007))
+                aids.append(flat_ring((x, y), 1.5 * size, BLUE, 0.009))
             elif ball in session.admission.on and ball != session.cue_ball:
-                discs.append(Disc((x, y, LIFT), 1.32 * radius, GOLD, 0.75, 0.12 * radius))
+                discs.append(Disc((x, y, LIFT), 1.32 * size, GOLD, 0.75, 0.12 * size))
         if session.mode is Mode.PLACING and session.ahead.in_hand is not None:
             table = session.variant.world.table
-            tint = tint_zone(table.zones[session.ahead.in_hand], table, (255, 255, 255), 0.14)
-            aids += [tint] if tint else []
+            aids += draw_zone(table.zones[session.ahead.in_hand], table, radius)
         if session.mode in (Mode.AIMING, Mode.CALLING):
             aids += self._aim(session)
         return aids, discs
@@ -141,10 +142,19 @@ class Showing:
         place = session.cue_place
         if session.aid is Aid.OFF or place is None:
             return []
-        asked = (session.stroke, place, session.ahead.rest.positions, session.cue_ball)
+        lying = session.ahead.rest.positions
+        asked = (session.stroke, place, lying, session.cue_ball, session.aid)
         if asked != self._asked:
             self._asked, self._answer = asked, predict(session)
         return draw_prediction(self._answer, session.aid) if self._answer else []
+
+
+def draw_zone(zone: Zone, table: Table, radius: float) -> list[Mesh | Polyline]:
+    """Return what shows where a ball in hand may be put: a tint, or a ring about each place."""
+    if isinstance(zone, Places):
+        return [flat_ring(point, 1.4 * radius, WHITE, 0.004) for point in zone.points]
+    tint = tint_zone(zone, table, WHITE, 0.14)
+    return [tint] if tint else []
 
 
 def draw_prediction(seen: Prediction, aid: Aid) -> list[Mesh | Polyline]:
