@@ -103,7 +103,7 @@ def _outlined(spec: TableShape, outline: OutlineShape, ball: float, report: Repo
         _with_cut(corner, shape, cuts, (*_OUTLINE, "corners", index), report)
         for index, (corner, shape) in enumerate(zip(corners, outline.corners, strict=True))
     ]
-    _check_cushions(corners, report)
+    _check_names(outline, report)
     try:
         return build_outline(cut_corners, spec.nose_height, spec.rail_width, ball)
     except OutlineError as error:
@@ -154,8 +154,9 @@ def _with_cut(
     return replace(corner, rounding=None, pocket=PocketId(shape.pocket), cut=cuts.get(name))
 
 
-def _check_cushions(corners: list[Corner], report: Report) -> None:
-    """Report names of cushions that stand apart."""
+def _check_names(outline: OutlineShape, report: Report) -> None:
+    """Report names of cushions that stand apart, and of pockets that are given twice."""
+    corners = outline.corners
     starts = [
         index for index, one in enumerate(corners) if one.cushion != corners[index - 1].cushion
     ]
@@ -167,6 +168,13 @@ def _check_cushions(corners: list[Corner], report: Report) -> None:
             message = f"two cushions apart from each other are called `{name}`"
             report.add("V304", path, message, "name one of them anew")
         seen.add(name)
+    pockets: set[str] = set()
+    for index, corner in enumerate(outline.corners):
+        if corner.pocket is not None and corner.pocket in pockets:
+            path = (*_OUTLINE, "corners", index, "pocket")
+            message = f"two pockets are called `{corner.pocket}`"
+            report.add("V304", path, message, "name one of them anew")
+        pockets.add(corner.pocket or "")
 
 
 def _cut(shape: PocketShape, path: KeyPath, report: Report) -> PocketCut | None:
