@@ -77,8 +77,8 @@ def meet_nose(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -
     speed = ball[VX] * ix + ball[VY] * iy
     along = ball[VX] * iy - ball[VY] * ix
     hop = HUG * abs(along)
-    if nose[N_SIZE] < 0.0 and hop > KICK and speed < hop:
-        share = sqrt(along * along + speed * speed - hop * hop) / abs(along)
+    if nose[N_SIZE] < 0.0 and hop > KICK and speed < 2.0 * hop:
+        share = sqrt(min(along * along + speed * speed - hop * hop, along * along)) / abs(along)
         ball[VX] = share * along * iy - hop * ix
         ball[VY] = -share * along * ix - hop * iy
         return 0.0
