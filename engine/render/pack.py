@@ -167,6 +167,10 @@ def sphere_pack(
     )
 
 
+LEAP = 4
+"""Steps of fineness between two unit spheres; few kinds of them are kept."""
+
+
 class UnitSpheres:
     """Unit spheres as packs, finer for larger ones, each made once."""
 
@@ -179,8 +183,14 @@ class UnitSpheres:
         depths = np.maximum((spheres.centres - view.eye) @ view.basis[2], view.near)
         across = spheres.radii * view.focal / depths
         wanted = np.rint(across * np.pi / self._pixels_a_step)
+        wanted = LEAP * np.ceil(wanted / LEAP)
         steps = np.clip(wanted, self._least, np.minimum(spheres.gradients, self._most))
         return [self._one(int(k)) for k in steps]
+
+    def make_all(self) -> None:
+        """Make every sphere that may be wanted, so that none is made while balls roll."""
+        for steps in (self._least, *range(2 * LEAP, self._most + 1, LEAP)):
+            self._one(steps)
 
     def _one(self, steps: int) -> Pack:
         if steps not in self._kept:

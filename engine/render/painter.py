@@ -49,6 +49,7 @@ class Painter:
         if progress:
             progress("painter", 0.1)
         self.render(tiny_scene(), np.zeros((16, 16), np.uint32))
+        self._units.make_all()
         if progress:
             progress("painter", 1.0)
 

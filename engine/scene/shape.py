@@ -8,6 +8,8 @@ a convex hull seen from outside, a shell seen from inside, or a flat sheet.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
+from math import sqrt
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -158,10 +160,15 @@ def make_mesh(
 
 def _newell(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the unit normal of a polygon, by Newell's sum; zero where it has no area."""
-    after = np.roll(corners, -1, axis=0)
-    normal = np.cross(corners - corners[0], after - corners[0]).sum(axis=0)
-    size = float(np.linalg.norm(normal))
-    return normal / size if size > 0.0 else np.zeros(3)
+    first, *others = corners.tolist()
+    arms = [(x - first[0], y - first[1], z - first[2]) for x, y, z in others]
+    a = b = c = 0.0
+    for (x, y, z), (u, v, w) in pairwise(arms):
+        a += y * w - z * v
+        b += z * u - x * w
+        c += x * v - y * u
+    size = sqrt(a * a + b * b + c * c)
+    return np.array((a, b, c)) / size if size > 0.0 else np.zeros(3)
 
 
 def _planes(points: NDArray[np.float64], polygons: list[Sequence[int]]) -> NDArray[np.float64]:
