@@ -36,6 +36,9 @@ GAIN = 1e-12
 MOMENTUM = 1e-12
 """By how much (kg m/s) rounding may change the momentum of balls that meet."""
 
+FINEST = 2000
+"""Into no more parts than this is the time between two events cut."""
+
 MOMENTS = 512
 """So many moments are looked at together, which bounds the memory."""
 
@@ -71,7 +74,7 @@ class Findings:
 
 
 def examine(trace: Trace, table: Table | None = None) -> Findings:
-    """Return what is found at every event of a trace and halfway between; noses with a table."""
+    """Return what is found at every event of a trace and between; noses with a table."""
     times = _moments(trace)
     gap, overlap = _gaps(trace, times)
     energy = trace.kinetic_energy(times)
@@ -90,9 +93,20 @@ def examine(trace: Trace, table: Table | None = None) -> Findings:
 
 
 def _moments(trace: Trace) -> Floats:
-    """Return all times at which a piece begins or ends, and the middles between (T,)."""
+    """Return all times at which a piece begins or ends, and times between (T,).
+
+    They lie so close that no ball goes farther than its radius from one to the next.
+    """
     knots = np.unique(trace.pieces[:, [state.P_T0, state.P_T1]])
-    return np.unique(np.concatenate([knots, 0.5 * (knots[1:] + knots[:-1])]))
+    if len(knots) < 2 or not np.isfinite(trace.pieces).all():
+        return knots
+    speeds = np.sqrt((trace.velocities(knots) ** 2).sum(-1)).max(-1)
+    fastest = np.maximum(speeds[1:], speeds[:-1])
+    radius = min(ball.radius for ball in trace.balls)
+    parts = np.clip(np.ceil(np.diff(knots) * fastest / radius), 2, FINEST).astype(np.int64)
+    start, length = np.repeat(knots[:-1], parts), np.repeat(np.diff(knots) / parts, parts)
+    place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    return np.unique(np.concatenate([start + place * length, knots]))
 
 
 def _runs(trace: Trace, times: Floats) -> Iterator[tuple[Floats, NDArray[np.bool_]]]:

@@ -93,6 +93,22 @@ def test_an_overlap_counts_from_the_start():
     assert examine(replace(trace, pieces=pieces)).overlap > R
 
 
+def test_a_ball_that_passes_through_another():
+    """Every meeting struck from the log, the striking ball runs on as if nobody were there."""
+    alone = simulate(WORLD, {"b0": LAYOUT["b0"]}, "b0", Strike(3.0, 0.03))
+    world = make_world(1)
+    still = simulate(WORLD, {"b1": LAYOUT["b1"]}, "b1", Strike(0.0, 0.0))
+    pieces = still.pieces.copy()
+    pieces[:, state.P_BALL], pieces[:, state.P_T1] = 1, alone.duration
+    both = replace(
+        alone,
+        balls=(alone.balls[0], still.balls[0]),
+        pieces=np.concatenate([alone.pieces, pieces]),
+    )
+    assert examine(alone, world.table).faults() == ()
+    assert examine(both).overlap > R / 4
+
+
 def test_energy_that_comes_from_nowhere():
     def change(pieces, _):
         pieces[own(pieces, 1)[-2], state.P_WZ] = 50.0
