@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.scene.shape import make_mesh
-from engine.stage.dimensions import LINER
-from engine.stage.marks import flat_ring
+from engine.stage import plan
+from engine.stage.bed import flat_sheet
+from engine.stage.dimensions import LINER, RIM_STEPS
+from engine.stage.marks import LIFT
 from engine.table.region import is_hole, posts_of
 
 if TYPE_CHECKING:
-    from engine.scene.shape import Mesh, Polyline, Rgb
+    from engine.scene.shape import Mesh, Rgb
     from engine.stage.dimensions import Frame
     from engine.table.furniture import Table
 
@@ -54,10 +56,14 @@ def build_posts(table: Table, frame: Frame, rubber: Rgb, wood: Rgb) -> list[Mesh
     return parts
 
 
-def build_hole_rims(table: Table, colour: Rgb) -> list[Polyline]:
+def build_hole_rims(table: Table, colour: Rgb) -> list[Mesh]:
     """Return the dark rims of the holes in the bed."""
-    return [
-        flat_ring(pocket.centre, pocket.radius + 0.3 * LINER, colour, 0.6 * LINER)
-        for pocket in table.pockets
-        if is_hole(pocket)
-    ]
+    sheets = []
+    for pocket in table.pockets:
+        if not is_hole(pocket):
+            continue
+        near = plan.circle(pocket.centre, pocket.radius, RIM_STEPS)
+        far = plan.circle(pocket.centre, pocket.radius + 0.5 * LINER, RIM_STEPS)
+        ring = [[near[k - 1], far[k - 1], far[k], near[k]] for k in range(RIM_STEPS)]
+        sheets.append(flat_sheet(ring, LIFT / 2.0, colour, layer=1))
+    return sheets

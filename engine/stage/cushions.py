@@ -237,6 +237,6 @@ def _cell(a: Station, b: Station, frame: Frame, colour: Rgb) -> list[Mesh]:
         (x, y, frame.nose + (0.0 if front else RISE * depth))
         for (x, y), front in zip(polygon, fronts, strict=True)
     ]
-    foot = {a.point: a.behind(UNDERCUT), b.point: b.behind(UNDERCUT)}
+    foot = {one.point: one.behind(min(UNDERCUT, 0.5 * (one.depth or 1.0))) for one in (a, b)}
     feet = [(*foot.get(point, point), 0.0) for point in polygon]
     return [_prism(tops, feet, [not front for front in fronts], colour)]

@@ -134,21 +134,30 @@ def build_shade(table: Table) -> list[Mesh]:
     for reach in SHADE_REACH:
         strips = []
         for cushion in table.cushions:
-            points = plan.trace_shapes(cushion.shapes, 0.2)
-            for (ax, ay), (bx, by) in itertools.pairwise(points):
-                size = hypot(bx - ax, by - ay)
-                x, y = (ay - by) / size, (bx - ax) / size
-                near, far = -0.012, reach
+            points = plan.trace_shapes(cushion.shapes, 0.1)
+            under = -0.012 if len(points) == 2 else -0.02
+            ways = [_inward(points, k) for k in range(len(points))]
+            for (a, u), (b, v) in itertools.pairwise(zip(points, ways, strict=True)):
                 strips.append(
                     [
-                        (ax + near * x, ay + near * y),
-                        (bx + near * x, by + near * y),
-                        (bx + far * x, by + far * y),
-                        (ax + far * x, ay + far * y),
+                        (a[0] + under * u[0], a[1] + under * u[1]),
+                        (b[0] + under * v[0], b[1] + under * v[1]),
+                        (b[0] + reach * v[0], b[1] + reach * v[1]),
+                        (a[0] + reach * u[0], a[1] + reach * u[1]),
                     ]
                 )
         sheets.append(flat_sheet(strips, LIFT / 2.0, SHADE, layer=1, alpha=0.09))
     return sheets
+
+
+def _inward(points: Sequence[Point], k: int) -> Point:
+    """Return the unit way from a point of a nose into the bed, shared by its two pieces."""
+    x, y = 0.0, 0.0
+    for a, b in itertools.pairwise(points[max(k - 1, 0) : k + 2]):
+        size = hypot(b[0] - a[0], b[1] - a[1])
+        x, y = x + (a[1] - b[1]) / size, y + (b[0] - a[0]) / size
+    size = hypot(x, y)
+    return x / size, y / size
 
 
 def build_gleam(table: Table) -> tuple[Polyline, ...]:
