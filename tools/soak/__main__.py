@@ -1,7 +1,8 @@
 """Random shots under the monitor: `python -m tools.soak physics --shots N [--seed S]`.
 
-One idea: shot number k of a seed is always the same shot, whatever the number of shots or workers;
-breaks, strewn balls and crowds of touching balls on every shipped table, struck at random.
+One idea: shot number k of a seed and a list of variants is always the same shot, whatever the
+number of shots or workers; breaks, strewn balls and crowds of touching balls on every shipped
+table, struck at random.
 Invariant: every shot that breaks a rule is kept as a record, which `python -m engine golden` plays
 again; exit 1 where there is one.
 """

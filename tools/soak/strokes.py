@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
-from math import atan2, cos, hypot, pi, radians, sin
+from math import atan2, cos, hypot, pi, radians, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -117,7 +117,7 @@ def _break(chance: np.random.Generator, variant: Variant) -> tuple[Layout, Strik
         layout = _loosened(chance, layout, variant)
     x, y = layout[cue]
     moved = (x, y + chance.uniform(-0.12, 0.12))
-    if _free(variant.world, {k: v for k, v in layout.items() if k != cue}, moved):
+    if _free(variant.world, {k: v for k, v in layout.items() if k != cue}, cue, moved):
         layout[cue] = moved
     x, y = layout[cue]
     others = [at for ball, at in layout.items() if ball != cue]
@@ -130,8 +130,7 @@ def _loosened(chance: np.random.Generator, layout: Layout, variant: Variant) -> 
     """Return a layout whose balls stand a little apart."""
     others = [at for ball, at in layout.items() if ball not in variant.cue_balls]
     centre = min(others)
-    radius = variant.world.balls[0].radius
-    spread = 1.0 + LOOSE / (2.0 * radius)
+    spread = 1.0 + LOOSE / (2.0 * min(ball.radius for ball in variant.world.balls))
     loose = {}
     for ball, (x, y) in layout.items():
         if ball in variant.cue_balls:
@@ -146,45 +145,64 @@ def _loosened(chance: np.random.Generator, layout: Layout, variant: Variant) -> 
 def _strewn(chance: np.random.Generator, variant: Variant, *, crowd: bool) -> Layout:
     """Return some balls of the set here and there; in a crowd many touch a ball or a nose."""
     world, cue = variant.world, variant.cue_balls[0]
-    table = world.table
-    reach = nose_reach(world.balls[0].radius, table.nose_height)
-    half = (table.length / 2.0 - reach, table.width / 2.0 - reach)
     others = [ball.id for ball in world.balls if ball.id != cue]
     count = int(chance.integers(0, len(others) + 1))
     names = [cue, *(others[k] for k in sorted(chance.permutation(len(others))[:count]))]
     layout: dict[BallId, Point] = {}
     for name in names:
+        half = _half(world, name)
         for _ in range(200):
             at = (float(chance.uniform(-1, 1)) * half[0], float(chance.uniform(-1, 1)) * half[1])
             if crowd:
-                at = _beside(chance, world, layout, at, half)
-            if _free(world, layout, at):
+                at = _beside(chance, world, layout, name, at)
+            if _free(world, layout, name, at):
                 layout[name] = at
                 break
     return layout
 
 
+def _radius(world: World, name: BallId) -> float:
+    return next(ball.radius for ball in world.balls if ball.id == name)
+
+
+def _apart(world: World, one: BallId, two: BallId) -> float:
+    """Return the distance (m) of two balls' centres when they touch on the bed."""
+    return 2.0 * sqrt(_radius(world, one) * _radius(world, two))
+
+
+def _reach(world: World, name: BallId) -> float:
+    """Return how far (m) a ball's centre is from a nose that it touches."""
+    return nose_reach(_radius(world, name), world.table.nose_height)
+
+
+def _half(world: World, name: BallId) -> Point:
+    """Return how far (m) from the middle of the bed a ball's centre can lie, along and across."""
+    reach = _reach(world, name)
+    return world.table.length / 2.0 - reach, world.table.width / 2.0 - reach
+
+
 def _beside(
-    chance: np.random.Generator, world: World, layout: Layout, at: Point, half: Point
+    chance: np.random.Generator, world: World, layout: Layout, name: BallId, at: Point
 ) -> Point:
     """Return a place that touches another ball or a long cushion, or the place as it is."""
     if layout and chance.uniform() < 0.5:
-        x, y = list(layout.values())[int(chance.integers(len(layout)))]
+        other, (x, y) = list(layout.items())[int(chance.integers(len(layout)))]
         turn = chance.uniform(0.0, 2.0 * pi)
-        apart = 2.0 * world.balls[0].radius + GAPS[int(chance.integers(len(GAPS)))]
+        apart = _apart(world, name, other) + GAPS[int(chance.integers(len(GAPS)))]
         return float(x + apart * cos(turn)), float(y + apart * sin(turn))
     if chance.uniform() < 0.2:
-        return at[0], half[1] if chance.uniform() < 0.5 else -half[1]
+        edge = _half(world, name)[1]
+        return at[0], edge if chance.uniform() < 0.5 else -edge
     return at
 
 
-def _free(world: World, layout: Layout, at: Point) -> bool:
+def _free(world: World, layout: Layout, name: BallId, at: Point) -> bool:
     """Say whether a ball fits in at a place: clear of all others, on the bed, not over a drop."""
-    radius = world.balls[0].radius
-    if any(hypot(at[0] - x, at[1] - y) < 2.0 * radius for x, y in layout.values()):
-        return False
-    pulled = at[0] * (1.0 - 1e-6), at[1] * (1.0 - 1e-6)
+    for other, (x, y) in layout.items():
+        if hypot(at[0] - x, at[1] - y) < _apart(world, name, other):
+            return False
     drops = world.table.pockets
     if any(hypot(at[0] - p.centre[0], at[1] - p.centre[1]) <= p.radius for p in drops):
         return False
-    return has_room(world.table, pulled, radius)
+    pulled = at[0] * (1.0 - 1e-6), at[1] * (1.0 - 1e-6)
+    return has_room(world.table, pulled, _reach(world, name))
