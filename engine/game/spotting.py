@@ -22,6 +22,7 @@ from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from engine.physics.world import Layout
     from engine.table.furniture import Point
     from engine.variant.variant import Variant
 
@@ -252,11 +253,7 @@ def _remove(board: Board, ball: BallId) -> Board:
 
 
 def _rerack(variant: Variant, board: Board, keeping: frozenset[BallId], before: Situation) -> Board:
-    racked = {
-        ball: at
-        for ball, at in lay_rack(variant.rack, before.seed + before.shots + 1).items()
-        if ball not in keeping
-    }
+    racked = _front_left_empty(lay_rack(variant.rack, before.seed + before.shots + 1), keeping)
     rest = lift(board.rest, frozenset(board.rest.positions) - keeping)
     for ball, at in racked.items():
         rest = place_ball(variant, rest, ball, at)
@@ -265,5 +262,15 @@ def _rerack(variant: Variant, board: Board, keeping: frozenset[BallId], before: 
         rest=rest,
         on_table=frozenset(racked) | (board.on_table & keeping) | frozenset(variant.cue_balls),
         reracked=len(racked),
-        spotted=(),
+        spotted=tuple(one for one in board.spotted if one.ball not in racked),
     )
+
+
+def _front_left_empty(layout: Layout, keeping: frozenset[BallId]) -> Layout:
+    """Return the rack without the balls kept: the places nearest to the head stay empty."""
+    kept = [ball for ball in layout if ball in keeping]
+    front = sorted(layout.values(), key=lambda at: (at[0], -at[1]))[: len(kept)]
+    vacant = [layout[ball] for ball in kept if layout[ball] not in front]
+    movers = [ball for ball in layout if ball not in keeping and layout[ball] in front]
+    staying = {ball: at for ball, at in layout.items() if ball not in keeping}
+    return {**staying, **dict(zip(movers, vacant, strict=True))}

@@ -116,7 +116,19 @@ class Places:
     points: tuple[Point, ...]
 
 
-Zone = Area | Places
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """The bed's points less than `margin` (m) away from a convex figure, or just so if `closed`.
+
+    `corners` go round the figure counter-clockwise.
+    """
+
+    corners: tuple[Point, ...]
+    margin: float
+    closed: bool
+
+
+Zone = Area | Places | Figure
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import hypot, sqrt
+from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
 
-from engine.table.furniture import Disc, HalfPlane, Line, Places, Straight
+from engine.table.furniture import Disc, Figure, HalfPlane, Line, Places, Straight
 from engine.table.region import ends, has_room, obstacles, on_bed
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from engine.table.furniture import Point, Table, Zone
 
@@ -68,6 +68,9 @@ def contains(zone: Zone, point: Point, table: Table) -> bool:
     """
     if isinstance(zone, Places):
         return any(_distance(point, place) <= ON for place in zone.points)
+    if isinstance(zone, Figure):
+        depth = zone.margin - _from_figure(zone.corners, point)
+        return _on_bed(point, table) and depth + _border(closed=zone.closed) > 0.0
     return _on_bed(point, table) and all(_depth(part, point) > 0.0 for part in zone.parts)
 
 
@@ -79,6 +82,19 @@ def _depth(part: HalfPlane | Disc, point: Point) -> float:
         depth = _along(part.normal, (point[0] - part.point[0], point[1] - part.point[1]))
         depth /= hypot(*part.normal)
     return depth + _border(closed=part.closed)
+
+
+def _from_figure(corners: Sequence[Point], point: Point) -> float:
+    """Return how far (m) a point is from a convex figure; inside, less than 0 by its depth."""
+    far, near = -inf, inf
+    for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
+        side = end[0] - start[0], end[1] - start[1]
+        away = point[0] - start[0], point[1] - start[1]
+        far = max(far, _along(_normal(Line(end, start)), away))
+        along = min(max(_along(side, away) / _along(side, side), 0.0), 1.0)
+        foot = start[0] + along * side[0], start[1] + along * side[1]
+        near = min(near, _distance(point, foot))
+    return far if far <= 0.0 else near
 
 
 def _border(*, closed: bool) -> float:
@@ -176,6 +192,8 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
         (ax, ay), (bx, by) = pocket.mouth
         middle = (ax + bx) / 2, (ay + by) / 2
         borders.append(_from_centre(middle, _distance(*pocket.mouth) / 2, piece))
+    if isinstance(zone, Figure):
+        return (*borders, *_figure_borders(zone, piece))
     for part in zone.parts:
         border = _border(closed=part.closed)
         if isinstance(part, Disc):
@@ -185,6 +203,14 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
             normal = part.normal[0] / size, part.normal[1] / size
             borders.append(_shifted(_distance_along(normal, part.point, piece), border))
     return tuple(borders)
+
+
+def _figure_borders(zone: Figure, piece: Piece) -> Iterator[Polynomial]:
+    """Yield the borders of a figure with its margin: beside its sides, round its corners."""
+    reach = zone.margin + _border(closed=zone.closed)
+    for start, end in zip(zone.corners, (*zone.corners[1:], zone.corners[0]), strict=True):
+        yield _from_centre(start, reach, piece)
+        yield _shifted(_distance_along(_normal(Line(start, end)), start, piece), reach)
 
 
 def _outline_borders(table: Table, piece: Piece) -> list[Polynomial]:

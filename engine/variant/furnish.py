@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from engine.table.furniture import (
     Area,
     Disc,
+    Figure,
     HalfPlane,
     Line,
     LineId,
@@ -191,10 +192,14 @@ class Surveyor:
         """Return one zone."""
         sides = shape.behind or shape.beyond or shape.left_of or shape.right_of
         area = bool(sides or shape.disc is not None)
-        if (shape.bed is not None) + area + (shape.places is not None) != 1:
+        kinds = (shape.bed is not None, area, shape.places is not None, shape.figure is not None)
+        if sum(kinds) != 1:
             mend = 'write bed = true, or behind = "a-line", or places = ["a-spot"]'
             self.report.add("V110", path, "a zone is the bed, an area, or places", mend)
             return None
+        if shape.figure is not None:
+            corners = self.corners(shape.figure.corners, (*path, "figure", "corners"))
+            return Figure(corners, shape.figure.margin, shape.with_line) if corners else None
         if shape.places is not None:
             return self.single_places(shape.places, path)
         halves = self.half_planes(shape, path, lines)
@@ -204,6 +209,24 @@ class Surveyor:
         if centre is None:
             return None
         return Area((*halves, Disc(centre, shape.disc.radius, shape.with_line)))
+
+    def corners(self, written: list[Place], path: KeyPath) -> tuple[Point, ...] | None:
+        """Return the corners of a figure, counter-clockwise; None, and a mistake, where bent in."""
+        points = [self.point(place, (*path, index)) for index, place in enumerate(written)]
+        found = [point for point in points if point is not None]
+        if len(found) < len(points):
+            return None
+        turns = [
+            (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+            for a, b, c in zip(found, found[1:] + found[:1], found[2:] + found[:2], strict=True)
+        ]
+        if len(found) >= 3 and min(turns) > 0.0:
+            return tuple(found)
+        if len(found) >= 3 and max(turns) < 0.0:
+            return tuple(reversed(found))
+        mend = "name them in order round the figure"
+        self.report.add("V110", path, "a figure has three corners or more and no dent", mend)
+        return None
 
     def single_places(self, written: list[Place], path: KeyPath) -> Places:
         """Return a zone of single points."""

@@ -123,8 +123,15 @@ class DiscShape(Shape):
     radius: Size
 
 
+class FigureShape(Shape):
+    """A figure of straight sides without a dent, and all that is nearer to it than `margin`."""
+
+    corners: list[Point]
+    margin: Gap = 0.0
+
+
 class ZoneShape(Shape):
-    """An area bounded by lines and discs, the whole bed, or some single places.
+    """An area bounded by lines and discs, a figure, the whole bed, or some single places.
 
     `behind` is towards the head, `beyond` towards the foot, left and right as seen from the head.
     """
@@ -135,6 +142,7 @@ class ZoneShape(Shape):
     left_of: Names = []
     right_of: Names = []
     disc: DiscShape | None = None
+    figure: FigureShape | None = None
     places: list[Point] | None = None
     with_line: bool = False
 
