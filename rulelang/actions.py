@@ -139,6 +139,11 @@ def _require(x: Reader, node: s.Require) -> Act:
     return lambda c: ("require", who(c), what)
 
 
+def _allow_strike(x: Reader, node: s.AllowStrike) -> Act:
+    balls = x.value(node.balls, k.BALLS).run
+    return lambda c: ("strike", balls(c))
+
+
 def _win(x: Reader, node: s.Win) -> Act:
     unit = "match" if node.unit == "match" else "game"
     if node.who is None:
@@ -174,6 +179,7 @@ ACTIONS: dict[type, Callable[[Reader, Any], Act]] = {
     s.RestoreTable: lambda _x, _n: lambda _c: ("restore",),
     s.GiveInHand: _give,
     s.Require: _require,
+    s.AllowStrike: _allow_strike,
     s.Win: _win,
     s.Seat: _seat,
     s.Plays: _plays,

@@ -37,8 +37,9 @@ def choose(
     key: int | None,
     before: Situation | None,
     shot: Shot | None,
+    ball: str | None = None,
 ) -> Decisions:
-    """Return what happens when `situation.shooter` chooses `option`.
+    """Return what happens when `situation.shooter` chooses `option`, and names `ball` with it.
 
     `key` is the offer's; without it the consequences are found by the option's name. `before`
     and `shot` are the judged situation and shot, None where nothing is known of them.
@@ -55,6 +56,7 @@ def choose(
             c.shooter = opponent(c, situation.shooter)
     clear(c.memo, tuple(range(program.memo_size)))
     c.chooser = c.next_player = situation.shooter
+    c.chosen = program.bits.get(ball or "", 0)
     c.phase = situation.phase if before is None else before.phase
     c.state, c.scores = situation.state, situation.scores
     rest = shot.rest if shot is not None else Rest(situation.zones, situation.frozen)

@@ -44,6 +44,9 @@ def total(x: Expressions, node: s.Total) -> Code:
         return joined(Code(k.NUMBER, run), fouls)
     if what in ("highest", "lowest"):
         return _extreme_number(x, node)
+    if what == "number" and isinstance(node.base, s.Noun) and node.base.words in ("foul", "fouls"):
+        fouls = x.want(node.base, k.FOULS)
+        return joined(Code(k.NUMBER, lambda c: len(c.fouls)), fouls)
     base = x.want(node.base, k.BALLS)
     balls = base.run
     if what == "number":

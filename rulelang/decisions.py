@@ -125,11 +125,16 @@ class Required:
 
 @dataclass(frozen=True, slots=True)
 class Admission:
-    """What binds and what is open before a shot; `on` are the balls on, for the display."""
+    """What binds and what is open before a shot.
+
+    `on` are the balls on, for the display; `strikable` the balls that the tip may strike, none
+    where it is the shooter's cue ball alone.
+    """
 
     required: tuple[Required, ...] = ()
     offers: tuple[Offer, ...] = ()
     on: frozenset[str] = frozenset()
+    strikable: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)

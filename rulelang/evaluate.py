@@ -70,7 +70,13 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
     on = frozenset[str]()
     if program.on is not None:
         on = frozenset(program.names[bit] for bit in singles(program.on(c) & c.on_before))
-    return Admission(required, offers_of(fired), on)
+    struck = 0
+    for _, made in fired:
+        for d in made:
+            if d[0] == "strike":
+                struck |= d[1]
+    strikable = frozenset(program.names[bit] for bit in singles(struck & c.on_before))
+    return Admission(required, offers_of(fired), on, strikable)
 
 
 def judge(program: Program, situation: Situation, shot: Shot, *, explain: bool = True) -> Decisions:

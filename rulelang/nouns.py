@@ -61,6 +61,8 @@ def noun(x: Expressions, node: s.Noun) -> Code:
     if words == "called ball":
         bits = x.scope.bits
         return Code(k.BALLS, lambda c: bits.get((c.call and c.call.ball) or "", 0))
+    if words == "chosen ball":
+        return Code(k.BALLS, lambda c: c.chosen)
     if words in ("shot", "scores"):
         return Code(words, lambda c: c, staged=True, fouls=words == "shot")
     if words in ("foul", "fouls"):

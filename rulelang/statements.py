@@ -37,6 +37,7 @@ SECTION_OF: dict[type, str] = {
     s.GiveInHand: "next shot",
     s.OfferChoices: "next shot",
     s.Require: "before shot",
+    s.AllowStrike: "before shot",
     s.Win: "ending",
     s.Seat: "ending",
 }

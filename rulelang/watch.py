@@ -40,7 +40,7 @@ class Watch:
     """What the rules of one judgement read; the evaluator moves it from section to section."""
 
     __slots__ = (
-        "actions", "all_events", "balls", "bits", "call", "chooser", "continues", "cue",
+        "actions", "all_events", "balls", "bits", "call", "chooser", "chosen", "continues", "cue",
         "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
         "players", "scores", "seen", "shooter", "shot", "situation", "stage",
@@ -67,6 +67,7 @@ class Watch:
         self.next_player = situation.shooter
         self.continues = False
         self.chooser = situation.shooter
+        self.chosen = 0
         self.actions: tuple[TableAction, ...] = ()
         self.homes: Mapping[str, str] = {}
         self.it = 0

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from engine.app import calling, placing
 from engine.app.stroke import Stroke, miscue_limit
 from engine.game.shot import NO_CALL, Shot
-from engine.game.situation import cue_ball_of
+from engine.game.situation import ball_to_strike
 
 if TYPE_CHECKING:
     from engine.game.match import Match, Played
@@ -120,8 +120,8 @@ class Session:
 
     @property
     def cue_ball(self) -> BallId:
-        """The cue ball of the player at the table."""
-        return cue_ball_of(self.variant, self.ahead.shooter)
+        """The ball that the coming stroke strikes."""
+        return ball_to_strike(self.variant, self.ahead)
 
     @property
     def cue_place(self) -> Point | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from engine.game.referee import announce, on_the_bed, take_in_hand
-from engine.game.situation import Rest, Situation, as_rules_see, empty
+from engine.game.situation import Rest, Situation, as_rules_see, cue_ball_of, empty
 from engine.game.spotting import place_ball
 from engine.table.furniture import BallId, ZoneId
 from engine.variant.rack import lay_rack
@@ -103,7 +103,7 @@ def start_game(
         shooter=breaker,
         phase=(variant.program.phases or ("",))[0],
         scores=scores or (0,) * players,
-        on_table=balls_at_start(variant),
+        on_table=balls_at_start(variant, breaker),
         state=start_state(variant, players, breaker),
         settings=settings,
         rest=racked(variant, seed),
@@ -113,9 +113,12 @@ def start_game(
     return _open(variant, situation)
 
 
-def balls_at_start(variant: Variant) -> frozenset[BallId]:
-    """Return the balls in play at the start of a game: those racked and every cue ball."""
-    return frozenset(lay_rack(variant.rack, 0)) | frozenset(variant.cue_balls)
+def balls_at_start(variant: Variant, breaker: int = 1) -> frozenset[BallId]:
+    """Return the balls in play at the start: those racked and the breaker's cue ball.
+
+    Another player's cue ball that is not racked comes into play when its owner needs it.
+    """
+    return frozenset(lay_rack(variant.rack, 0)) | {cue_ball_of(variant, breaker)}
 
 
 def racked(variant: Variant, seed: int) -> Rest:

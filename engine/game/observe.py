@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from engine.game.contacts import as_cushion, nose_reach
 from engine.game.shot import Shot, as_written
-from engine.game.situation import TOUCHING, Rest, Situation, cue_ball_of
+from engine.game.situation import TOUCHING, Rest, Situation, ball_to_strike, cue_ball_of
 from engine.physics import events as seen
 from engine.physics.simulate import simulate
 from engine.table.marks import Piece, crossings, zone_changes
@@ -44,7 +44,7 @@ def simulate_shot(variant: Variant, situation: Situation, shot: Shot) -> Trace:
     """Return the stroke played; raises ValueError for a shot without strike or cue ball."""
     if shot.strike is None:
         raise ValueError("a shot without a strike cannot be played")
-    ball = shot.struck or cue_ball_of(variant, situation.shooter)
+    ball = shot.struck or ball_to_strike(variant, situation)
     layout = layout_of(variant, situation, shot)
     return simulate(variant.world, layout, ball, as_written(shot.strike))
 
@@ -56,7 +56,7 @@ def play(variant: Variant, situation: Situation, shot: Shot) -> Shot:
 
 def observe(variant: Variant, situation: Situation, shot: Shot, trace: Trace) -> Shot:
     """Return the shot with its events and the balls at rest, as seen in the trace."""
-    struck = shot.struck or cue_ball_of(variant, situation.shooter)
+    struck = shot.struck or ball_to_strike(variant, situation)
     found = [
         *_contacts(trace, struck),
         *_marks(variant, trace),

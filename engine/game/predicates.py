@@ -11,7 +11,7 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from engine.game.sight import View, path_to, snookering_balls
-from engine.game.situation import Rest, Situation, cue_ball_of
+from engine.game.situation import Rest, Situation, ball_to_strike
 from engine.game.spotting import Board, carry_out
 from engine.table.furniture import BallId, Places, ZoneId
 from engine.table.marks import contains
@@ -37,7 +37,7 @@ def predicates_of(
     def path(
         targets: frozenset[str], _done: tuple[TableAction, ...], _zone: str | None = None
     ) -> Value | None:
-        struck = shot.struck or cue_ball_of(variant, before.shooter)
+        struck = shot.struck or ball_to_strike(variant, before)
         origin = shot.placement or before.rest.positions.get(struck)
         view = _view(variant, before.rest, before.on_table, struck, origin)
         return None if view is None else path_to(view, map(BallId, targets))
@@ -45,7 +45,7 @@ def predicates_of(
     def snookering(
         targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
     ) -> Value | None:
-        struck = shot.struck or cue_ball_of(variant, before.shooter)
+        struck = shot.struck or ball_to_strike(variant, before)
         board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
         views = list(_views(variant, board, struck, zone))
         hiding = [snookering_balls(view, map(BallId, targets)) for view in views]

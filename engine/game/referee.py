@@ -11,10 +11,17 @@ from typing import TYPE_CHECKING
 
 from engine.game.aftermath import fallen, rest_after
 from engine.game.predicates import predicates_of
-from engine.game.situation import Judged, Situation, as_rules_see, cue_ball_of, zones_of
+from engine.game.situation import (
+    Judged,
+    Situation,
+    as_rules_see,
+    ball_to_strike,
+    cue_ball_of,
+    zones_of,
+)
 from engine.game.spotting import Board, carry_out, covers, lift, place_ball, starting_place
 from engine.game.verdict import Verdict
-from engine.table.furniture import ZoneId
+from engine.table.furniture import BallId, ZoneId
 from rulelang import facts as said
 from rulelang.evaluate import Admission, admit, choose, judge
 
@@ -67,6 +74,7 @@ def take_choice(
         taken.key if taken.key >= 0 else None,
         last.situation if last else None,
         last.shot if last else None,
+        shot.call.ball,
     )
     board = carry_out(
         variant,
@@ -100,7 +108,7 @@ def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain
 def _as_rules_hear(variant: Variant, before: Situation, shot: Shot, after: Rest) -> said.Shot:
     placed = shot.placement
     return said.Shot(
-        struck=shot.struck or cue_ball_of(variant, before.shooter),
+        struck=shot.struck or ball_to_strike(variant, before),
         events=shot.events or (),
         call=shot.call,
         chosen=shot.choice,
@@ -147,7 +155,7 @@ def _follow(
     )
     after = take_in_hand(variant, after, in_hand)
     if not decided.endings and cue_ball_of(variant, shooter) not in after.on_table:
-        after = on_the_bed(variant, after)
+        after = after if look_ahead(variant, after).strikable else on_the_bed(variant, after)
     return _end(after, decided) if decided.endings else announce(variant, after)
 
 
@@ -188,10 +196,10 @@ def _end(after: Situation, decided: Decisions) -> Situation:
 
 
 def announce(variant: Variant, after: Situation) -> Situation:
-    """Return the situation with what the script offers before the next shot."""
-    if after.offers:
-        return after
-    return replace(after, offers=look_ahead(variant, after).offers)
+    """Return the situation with what the script offers, and lets strike, before the next shot."""
+    ahead = look_ahead(variant, after)
+    strikable = frozenset(map(BallId, ahead.strikable))
+    return replace(after, offers=after.offers or ahead.offers, strikable=strikable)
 
 
 def _as_before(

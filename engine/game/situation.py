@@ -62,7 +62,8 @@ class Situation:
     """The game before a shot; `seed` is the match's, `shots` how many were judged before.
 
     `in_hand` is the zone in which the shooter's cue ball is in hand. `offers` is what the
-    shooter may choose from before the shot. `winner` is None while the game goes on, 0 for a
+    shooter may choose from before the shot; `strikable` are the balls that he may strike, none
+    where it is his cue ball alone. `winner` is None while the game goes on, 0 for a
     draw; `match_over` says whether the match ended with it.
     """
 
@@ -83,6 +84,7 @@ class Situation:
     winner: int | None = None
     match_over: bool = False
     judged: Judged | None = None
+    strikable: frozenset[BallId] = frozenset()
 
     @property
     def options(self) -> tuple[str, ...]:
@@ -99,6 +101,17 @@ def cue_ball_of(variant: Variant, player: int) -> BallId:
     """Return the cue ball of a player: the one that serves all, or his own."""
     balls = variant.cue_balls
     return balls[(player - 1) % len(balls)]
+
+
+def ball_to_strike(variant: Variant, situation: Situation) -> BallId:
+    """Return the ball that the tip strikes unless a shot names another.
+
+    That is the shooter's cue ball, or the first of those he may strike where it is gone.
+    """
+    cue = cue_ball_of(variant, situation.shooter)
+    if cue in situation.on_table:
+        return cue
+    return next((kind.id for kind in variant.balls if kind.id in situation.strikable), cue)
 
 
 def zones_of(table: Table, point: Point) -> frozenset[ZoneId]:

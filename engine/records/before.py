@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from engine.game.match import SettingError, balls_at_start, check_settings, start_game, start_state
-from engine.game.referee import look_ahead, take_in_hand
+from engine.game.referee import announce, take_in_hand
 from engine.game.situation import Rest, Situation
 from engine.game.spotting import take_up_positions
 from engine.table.furniture import BallId, ZoneId
@@ -85,9 +85,9 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
     if situation.in_hand is not None:
         situation = take_in_hand(names.variant, situation, situation.in_hand)
     if "options" not in spec.model_fields_set:
-        return replace(situation, offers=look_ahead(names.variant, situation).offers)
+        return announce(names.variant, situation)
     offers = _offers(names, spec.options, spec.shooter, (*path, "options"))
-    return replace(situation, offers=offers)
+    return replace(announce(names.variant, situation), offers=offers)
 
 
 def _on_table(names: Names, spec: BeforeSpec, path: KeyPath) -> frozenset[BallId]:

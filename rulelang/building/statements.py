@@ -134,6 +134,7 @@ _STATEMENTS: dict[str, Callable[[Any], s.Statement]] = {
     "give": lambda n: s.GiveInHand(span(n), expression(n.children[0]), named(n.children[1])),
     "require": _require,
     "allow": _require,
+    "allow_strike": lambda n: s.AllowStrike(span(n), expression(n.children[0])),
     "wins": _win,
     "loses": _win,
     "tie": lambda n: s.Win(span(n), "tie", None, text(n.children[0])),

@@ -51,6 +51,7 @@ from rulelang.syntax.places import (
 )
 from rulelang.syntax.statements import (
     Action,
+    AllowStrike,
     Award,
     Choice,
     ForEach,
@@ -76,8 +77,8 @@ from rulelang.syntax.statements import (
 )
 
 __all__ = [
-    "Action", "Arithmetic", "Award", "BallNumber", "Called", "Choice", "CueBallOf", "Declaration",
-    "Define", "Except", "Expr", "Extreme", "Fact", "Flag", "ForEach", "Foul", "GiveInHand",
+    "Action", "AllowStrike", "Arithmetic", "Award", "BallNumber", "Called", "Choice", "CueBallOf",
+    "Declaration", "Define", "Except", "Expr", "Extreme", "Fact", "Flag", "ForEach", "Foul", "GiveInHand",
     "GoToPhase", "Happened", "Header", "Home", "If", "Is", "Junction", "Listing", "Name", "NameOf",
     "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices", "OnTable", "OpponentOf",
     "Phases", "PlaceAt", "Player", "Plays", "Quantified", "RackAgain", "RemoveBalls", "Require",

@@ -109,6 +109,14 @@ class Require:
 
 
 @dataclass(frozen=True, slots=True)
+class AllowStrike:
+    """`allow BALLS as cue ball`."""
+
+    at: Span
+    balls: Expr
+
+
+@dataclass(frozen=True, slots=True)
 class Win:
     """`wins`, `loses` or `tie` of a unit."""
 
@@ -173,7 +181,7 @@ class OfferChoices:
 
 Action = (
     Foul | Award | Write | Turn | GoToPhase | SpotBalls | RemoveBalls | RackAgain | RestoreTable
-    | GiveInHand | Require | Win | Seat | Plays | NothingHappens
+    | GiveInHand | Require | AllowStrike | Win | Seat | Plays | NothingHappens
 )  # fmt: skip
 Statement = Action | If | ForEach | OfferChoices
 

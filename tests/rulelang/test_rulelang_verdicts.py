@@ -217,6 +217,18 @@ def test_fouls_alone_and_rules_that_see_fouls() -> None:
     assert [f.name for f in play(script, down + "; 9 pocketed foot-left").fouls] == ["nine"]
 
 
+def test_fouls_are_counted() -> None:
+    script = """
+fouls:
+    if foot left floor: foul foot
+    if cue ball pocketed: foul scratch
+points:
+    if foul is scratch and number of fouls is 1: award 5 to opponent
+"""
+    assert play(script, "cue pocketed foot-left").points == (0, 5)
+    assert play(script, "foot off floor; cue pocketed foot-left").points == (0, 0)
+
+
 def test_points_counters_and_their_scopes() -> None:
     script = (
         "phases x\n"
@@ -389,6 +401,29 @@ def test_options_and_their_consequences() -> None:
     assert take("count").state == {"misses": (1, 0)}
     assert take("play").next_player == 2
     assert take("play").table == ()
+
+
+def test_other_balls_may_be_struck() -> None:
+    script = "before shot in phase open: allow stripes as cue ball\nphases break, open\n"
+    script += "turn: if phase is break: go to phase open\n"
+    program = program_of(script)
+    on = ["cue", "8", "9", "10"]
+    assert admit(program, before_of(program, phase="open", on_table=on)).strikable == {"9", "10"}
+    assert admit(program, before_of(program, phase="break", on_table=on)).strikable == set()
+
+
+def test_a_ball_is_named_with_a_choice() -> None:
+    program = program_of(
+        "next shot: if cue ball pocketed:\n    offer opponent:\n        remove-ball:\n"
+        "            if chosen ball is nothing: spot 9-ball at foot-spot\n"
+        "            otherwise: remove chosen ball\n"
+    )
+    shot = Shot("cue", (parse_event("cue pocketed foot-left"),), call=Call("3"))
+    before = before_of(program)
+    key = judge(program, before, shot).offers[0].key
+    now = replace(before, shooter=2)
+    assert choose(program, now, "remove-ball", key, before, shot, "8").table == (Remove("8"),)
+    assert isinstance(choose(program, now, "remove-ball", key, before, shot).table[0], Spot)
 
 
 def test_explanation_names_values_and_events() -> None:
