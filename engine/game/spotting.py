@@ -15,7 +15,7 @@ from engine.game.contacts import frozen_pairs
 from engine.game.situation import Rest, Situation, zones_of
 from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
-from engine.table.marks import free_place, nearest_place
+from engine.table.marks import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
 from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
 
@@ -146,7 +146,10 @@ def starting_place(variant: Variant, rest: Rest, ball: BallId) -> Point | None:
     start = table.spots[own] if own else variant.rack.fixed.get(ball, (-table.length / 4, 0.0))
     radii = {one.id: one.radius for one in variant.world.balls}
     others = [(at, radii[other]) for other, at in rest.positions.items() if other != ball]
-    return free_place(table, start, ((-1.0, 0.0), (1.0, 0.0)), radii[ball], others, GAP)
+    at = free_place(table, start, ((-1.0, 0.0), (1.0, 0.0)), radii[ball], others, GAP)
+    if at is None and table.outline:
+        return nearest_room(table, start, radii[ball], others, GAP)
+    return at
 
 
 def _spot_of(

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 ON = 1e-4
 """How near (m) a centre is to a line to be on it."""
 
+FINE = 50
 _ROUND = 1e-12
 Polynomial = tuple[float, ...]
 """Coefficients, the constant first."""
@@ -383,6 +384,26 @@ def free_place(
     for way in ways:
         place = nearest_place(table, spot, way, radius, others, gap)
         if place is not None:
+            return place
+    return None
+
+
+def nearest_room(
+    table: Table,
+    spot: Point,
+    radius: float,
+    others: Sequence[tuple[Point, float]],
+    gap: float = 0.0,
+) -> Point | None:
+    """Return the place nearest to `spot` where a ball can stand, off every straight way.
+
+    For beds of any outline; places are looked for on a grid of a fiftieth of the bed.
+    """
+    steps = [k / FINE - 0.5 for k in range(1, FINE)]
+    places = [(a * table.length, b * table.width) for a in steps for b in steps]
+    for place in sorted(places, key=lambda at: _distance(at, spot)):
+        clear = all(_distance(place, at) >= radius + size + gap for at, size in others)
+        if clear and has_room(table, place, radius):
             return place
     return None
 

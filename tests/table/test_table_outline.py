@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from engine.table.build import PocketCut, build_table
 from engine.table.furniture import Area, Curve, Cushion, CushionId, HalfPlane, PocketId, Straight
-from engine.table.marks import Piece, contains, nearest_place, zone_changes
+from engine.table.marks import Piece, contains, nearest_place, nearest_room, zone_changes
 from engine.table.mouth import length_of, point_along
 from engine.table.outline import Corner, OutlineError, build_outline
 from engine.table.region import (
@@ -300,3 +300,13 @@ def test_an_ellipse_of_arcs_has_no_corner():
         for share in (0.2, 0.7):
             x, y = point_along(shape, share * length_of(shape))[0]
             assert (x / a) ** 2 + (y / b) ** 2 == pytest.approx(1.0, abs=2e-3)
+
+
+def test_a_ball_without_a_place_on_its_way_finds_the_nearest_room():
+    table = build(*ELL)
+    taken = [((0.0, 0.0), BALL)]
+    assert nearest_place(table, (0.6, 0.5), (1.0, 0.0), BALL, taken) is None
+    place = nearest_room(table, (0.6, 0.5), BALL, taken)
+    assert place is not None
+    assert has_room(table, place, BALL)
+    assert hypot(place[0] - 0.6, place[1] - 0.5) < 0.48
