@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from engine.game.match import start_match
 from engine.game.referee import look_ahead
 from engine.game.shot import Refusal
-from engine.game.sight import View, path_to
+from engine.game.sight import View, has_full_path
 from engine.game.situation import Situation, cue_ball_of
 from engine.table.furniture import BallId, Places
 from engine.table.marks import contains
@@ -63,21 +63,25 @@ def usual_place(variant: Variant, situation: Situation) -> Point | None:
     """
     if situation.in_hand is None:
         return None
-    lawful = sorted(
-        (
-            at
-            for at in _places(variant, situation.in_hand)
-            if refuse_place(variant, situation, at) is None
-        ),
+    table = variant.world.table
+    zone = table.zones[situation.in_hand]
+    places = sorted(
+        (at for at in _places(variant, situation.in_hand) if contains(zone, at, table)),
         key=lambda at: (round(abs(at[1]), 6), -at[0]),
     )
     on = frozenset(map(BallId, look_ahead(variant, situation).on))
     ball = cue_ball_of(variant, situation.shooter)
     radii = {one.id: one.radius for one in variant.world.balls}
-    for at in lawful[:: max(1, len(lawful) // TRIED)]:
-        if path_to(View(at, radii[ball], situation.rest.positions, radii), on) == "full":
+    lawful = [
+        at
+        for at in places[:: max(1, len(places) // TRIED)]
+        if refuse_place(variant, situation, at) is None
+    ]
+    for at in lawful:
+        if has_full_path(View(at, radii[ball], situation.rest.positions, radii), on):
             return at
-    return lawful[0] if lawful else None
+    free = (at for at in places if refuse_place(variant, situation, at) is None)
+    return next(iter(lawful), None) or next(free, None)
 
 
 def _places(variant: Variant, zone: ZoneId) -> Iterator[Point]:

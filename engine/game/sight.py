@@ -36,7 +36,7 @@ def path_to(view: View, targets: Iterable[BallId]) -> str:
     in the way is as good as the target itself.
     """
     wanted = frozenset(targets) & frozenset(view.others)
-    if any(first_met(view, _heading(view, ball, 0.0)) in wanted for ball in sorted(wanted)):
+    if has_full_path(view, wanted):
         return "full"
     offsets = [2.0 * step / (SAMPLES - 1) - 1.0 for step in range(SAMPLES)]
     reached = (
@@ -45,6 +45,12 @@ def path_to(view: View, targets: Iterable[BallId]) -> str:
         for offset in offsets
     )
     return "partial" if any(reached) else "none"
+
+
+def has_full_path(view: View, targets: Iterable[BallId]) -> bool:
+    """Return whether the middle of one of the `targets` can be reached straight."""
+    wanted = frozenset(targets) & frozenset(view.others)
+    return any(first_met(view, _heading(view, ball, 0.0)) in wanted for ball in sorted(wanted))
 
 
 def snookering_ball(view: View, targets: Iterable[BallId]) -> BallId | None:
