@@ -102,7 +102,7 @@ _EXAMPLES = {
     "balls": '"pool"',
     "cloth": '"worsted-pool"',
     "cue": '{ mass = "19 oz", ... }',
-    "players": "2",
+    "players": 2,
     "cue_balls": '["cue"]',
 }
 
