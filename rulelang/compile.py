@@ -119,7 +119,7 @@ class _Work:
         self.read(source, filename, ())
         declarations = Declarations(self.vocabulary, self.scripts, self.tell)
         scope = declarations.scope
-        homes = self.homes(scope)
+        homes, order = self.homes(scope), self.spotting_order(scope)
         rules = self.rules(scope)
         self.defines(scope)
         on = self.balls_on(scope)
@@ -127,7 +127,8 @@ class _Work:
         check_meaning(declarations, rules, self.scripts, self.tell, sound=sound)
         if any(d.severity == "error" for d in self.diagnostics):
             return None
-        return self.program(declarations, scope, rules, homes, on)
+        program = self.program(declarations, scope, rules, homes, on)
+        return replace(program, spotting_sets=order)
 
     def read(self, source: str, filename: str, above: tuple[str, ...]) -> None:
         """Parse a script and those it uses; the used come first."""
@@ -155,6 +156,22 @@ class _Work:
                 try:
                     balls = expressions_in(scope, script.source).want(node.balls, k.BALLS)
                     made.append((balls.run, scope.place("spot", node.spot, node.at)))
+                except Mistake as trouble:
+                    self.blame(scope, script, trouble)
+        return made
+
+    def spotting_order(self, scope: Scope) -> tuple[k.Run, ...]:
+        """Compile the sets of the last spotting order; empty where none names sets."""
+        made: tuple[k.Run, ...] = ()
+        for script in self.scripts:
+            for node in script.declarations:
+                if isinstance(node, s.Header) and node.word == "spotting":
+                    made = ()
+                if not isinstance(node, s.SpottingOrder):
+                    continue
+                try:
+                    reader = expressions_in(scope, script.source)
+                    made = tuple(reader.want(one, k.BALLS).run for one in node.sets)
                 except Mistake as trouble:
                     self.blame(scope, script, trouble)
         return made

@@ -66,7 +66,7 @@ class Declarations:
             case s.Define():
                 if self._new(script, node.name, node.at):
                     self.scope.defines[node.name] = node
-            case s.Home():
+            case s.Home() | s.SpottingOrder():
                 pass
 
     def _header(self, script: s.Script, node: s.Header) -> None:

@@ -132,4 +132,6 @@ class Program:
     staged: tuple[int, ...] = ()
     homes: tuple[tuple[Run, str], ...] = field(repr=False, default=())
     spotting: str = ""
+    spotting_sets: tuple[Run, ...] = field(repr=False, default=())
+    """Sets of balls in the order of their spotting; where there are any, `spotting` is void."""
     on: Run | None = field(repr=False, default=None)

@@ -189,9 +189,12 @@ def _add_spots(spots: dict[int, Any], decision: tuple[Any, ...], rule: CompiledR
 
 
 def _in_order(program: Program, spots: dict[int, Any], c: Watch) -> list[int]:
-    """Return the balls to spot: those whose own spot is free, then by value or by name."""
+    """Return the balls to spot: by the script's sets, or own spot free, then value or name."""
     if len(spots) < 2:
         return list(spots)
+    if program.spotting_sets:
+        sets = [run(c) for run in program.spotting_sets]
+        return sorted(spots, key=lambda bit: (_first_of(sets, bit), bit))
     covered = c.shot.rest.spots if c.shot is not None else {}
     sign = {"highest": -1, "lowest": 1}.get(program.spotting, 0)
 
@@ -200,6 +203,10 @@ def _in_order(program: Program, spots: dict[int, Any], c: Watch) -> list[int]:
         return (home in covered, sign * program.values.get(bit, 0), bit)
 
     return sorted(spots, key=rank)
+
+
+def _first_of(sets: list[int], bit: int) -> int:
+    return next((number for number, one in enumerate(sets) if one & bit), len(sets))
 
 
 def _own_spot(program: Program, ball: str, c: Watch) -> str | None:

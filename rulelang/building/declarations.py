@@ -80,6 +80,7 @@ _DECLARATIONS: dict[str, Callable[[Any], list[s.Declaration]]] = {
     "game": _header,
     "uses": _header,
     "order": lambda n: [s.Header(span(n), "spotting", text(n.children[0]))],
+    "order_of_sets": lambda n: [s.SpottingOrder(span(n), tuple(map(expression, n.children)))],
     "settled": lambda n: [s.Header(span(n), "settled", text(n.children[0]))],
     "phases": lambda n: [s.Phases(span(n), tuple((text(c), span(c)) for c in n.children))],
     "zones": _zones,

@@ -13,6 +13,7 @@ from rulelang.syntax.declarations import (
     Phases,
     Rule,
     Script,
+    SpottingOrder,
     Track,
     Zones,
 )
@@ -78,11 +79,11 @@ from rulelang.syntax.statements import (
 
 __all__ = [
     "Action", "AllowStrike", "Arithmetic", "Award", "BallNumber", "Called", "Choice", "CueBallOf",
-    "Declaration", "Define", "Except", "Expr", "Extreme", "Fact", "Flag", "ForEach", "Foul", "GiveInHand",
-    "GoToPhase", "Happened", "Header", "Home", "If", "Is", "Junction", "Listing", "Name", "NameOf",
-    "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices", "OnTable", "OpponentOf",
-    "Phases", "PlaceAt", "Player", "Plays", "Quantified", "RackAgain", "RemoveBalls", "Require",
-    "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script", "Seat", "Sequence", "Span",
-    "SpotBalls", "Statement", "Test", "Total", "Track", "Turn", "Verb", "Win", "Write", "Zones",
-    "walk",
+    "Declaration", "Define", "Except", "Expr", "Extreme", "Fact", "Flag", "ForEach", "Foul",
+    "GiveInHand", "GoToPhase", "Happened", "Header", "Home", "If", "Is", "Junction", "Listing",
+    "Name", "NameOf", "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices",
+    "OnTable", "OpponentOf", "Phases", "PlaceAt", "Player", "Plays", "Quantified", "RackAgain",
+    "RemoveBalls", "Require", "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script", "Seat",
+    "Sequence", "Span", "SpotBalls", "SpottingOrder", "Statement", "Test", "Total", "Track", "Turn",
+    "Verb", "Win", "Write", "Zones", "walk",
 ]  # fmt: skip

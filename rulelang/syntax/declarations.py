@@ -62,6 +62,14 @@ class Home:
 
 
 @dataclass(frozen=True, slots=True)
+class SpottingOrder:
+    """Sets of balls in the order in which they are spotted."""
+
+    at: Span
+    sets: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Define:
     """Cases of condition and value; a plain define has one case without a condition."""
 
@@ -95,7 +103,7 @@ class Zones:
     members: tuple[tuple[str, Span], ...]
 
 
-Declaration = Header | Phases | Zones | Track | Fact | Home | Define
+Declaration = Header | Phases | Zones | Track | Fact | Home | SpottingOrder | Define
 
 
 @dataclass(frozen=True, slots=True)

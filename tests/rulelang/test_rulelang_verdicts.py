@@ -318,6 +318,31 @@ def test_table_actions_in_spotting_order() -> None:
     ]
 
 
+def test_sets_in_spotting_order_are_read_when_the_balls_are_spotted() -> None:
+    script = (
+        "track lead per game starting none\n"
+        "spotting order (black, lead, object balls)\n"
+        "points: if any colour pocketed: set lead to reds\n"
+        "table: for each of (object balls pocketed): spot it at own spot else at blue-spot\n"
+    )
+    down = (
+        "blue pocketed foot-left; red-2 pocketed foot-left; red-1 pocketed foot-left;"
+        " black pocketed foot-left"
+    )
+    made = play(script, down, SNOOKER)
+    spots = [action.ball for action in made.table if isinstance(action, Spot)]
+    assert spots == ["black", "red-1", "red-2", "blue"]
+
+
+def test_the_own_scripts_spotting_order_is_the_last_word() -> None:
+    order = "spotting order (colours, reds)\nspotting order lowest value\n"
+    script = order + "table: for each of (object balls pocketed): spot it at own spot\n"
+    down = "blue pocketed foot-left; red-1 pocketed foot-left; yellow pocketed foot-left"
+    made = play(script, down, SNOOKER)
+    spots = [action.ball for action in made.table if isinstance(action, Spot)]
+    assert spots == ["red-1", "yellow", "blue"]
+
+
 def test_rerack_restore_remove() -> None:
     script = "table:\n    if 1-ball pocketed:\n        spot 1-ball at foot-spot\n"
     assert play(script + "        rerack keeping 8-ball\n", "1 pocketed foot-left").table == (
