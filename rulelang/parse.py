@@ -12,6 +12,7 @@ import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from lark import Lark
@@ -41,6 +42,10 @@ def _store(folder: str | None) -> Any:
     return str(Path(folder) / "rulelang.grammar") if os.access(folder, os.W_OK) else False
 
 
+_BUILDING = Lock()
+"""Lark builds one grammar at a time."""
+
+
 @cache
 def _parser(folder: str | None, *, strict: bool = False) -> Lark:
     return Lark(
@@ -57,7 +62,8 @@ def _parser(folder: str | None, *, strict: bool = False) -> Lark:
 
 def grammar(folder: Path | None = None, *, strict: bool = False) -> Lark:
     """Return the parser; with `folder` its tables are kept there between processes."""
-    return _parser(None if folder is None else str(folder), strict=strict)
+    with _BUILDING:
+        return _parser(None if folder is None else str(folder), strict=strict)
 
 
 def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, list[Diagnostic]]:

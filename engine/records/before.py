@@ -84,10 +84,11 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
     )
     if situation.in_hand is not None:
         situation = take_in_hand(names.variant, situation, situation.in_hand)
-    if "options" not in spec.model_fields_set:
-        return announce(names.variant, situation)
     offers = _offers(names, spec.options, spec.shooter, (*path, "options"))
-    return replace(announce(names.variant, situation), offers=offers)
+    if names.report.diagnostics:
+        return situation
+    announced = announce(names.variant, situation)
+    return replace(announced, offers=offers) if "options" in spec.model_fields_set else announced
 
 
 def _on_table(names: Names, spec: BeforeSpec, path: KeyPath) -> frozenset[BallId]:
