@@ -72,7 +72,8 @@ def expectation(verdict: Verdict, before: Situation) -> dict[str, object]:
             "next": verdict.after.shooter,
             "options": SAYINGS["options"](verdict),
             "in_hand": in_hand_of(verdict),
-            "phase": verdict.after.phase,
         }
+        if verdict.after.phase:
+            told["phase"] = verdict.after.phase
     state = state_of(verdict, verdict.after.state)
     return told | ({"state": state} if state else {})
