@@ -40,6 +40,26 @@ NAMES = {
             *("black-spot", "pink-spot", "blue-spot", "brown-spot", "green-spot", "yellow-spot")
         },
     },
+    "english_billiards": {
+        "balls": {"white", "yellow", "red"},
+        "cue_balls": {"white", "yellow"},
+        "pockets": SIX,
+        "cushions": SIX_CUSHIONS,
+        "lines": {"baulk-line"},
+        "zones": {"d", "baulk"},
+        "spots": {
+            *("black-spot", "pink-spot", "blue-spot", "brown-spot", "green-spot", "yellow-spot")
+        },
+    },
+    "free_pyramid": {
+        "balls": {"cue", *(str(number) for number in range(1, 16))},
+        "cue_balls": {"cue"},
+        "pockets": SIX,
+        "cushions": SIX_CUSHIONS,
+        "lines": {"home-line", "centre-string"},
+        "zones": {"home"},
+        "spots": {"head-spot", "centre-spot", "foot-spot"},
+    },
     "three_cushion": {
         "balls": {"white", "yellow", "red"},
         "cue_balls": {"white", "yellow"},
@@ -59,6 +79,11 @@ SPOTS = {
         "brown-spot": (-1.0475, 0),
         "green-spot": (-1.0475, 0.292),
         "yellow-spot": (-1.0475, -0.292),
+    },
+    "free_pyramid": {
+        "head-spot": (-0.8875, 0),
+        "centre-spot": (0, 0),
+        "foot-spot": (0.8875, 0),
     },
     "three_cushion": {
         "head-spot": (-0.71, 0),
