@@ -121,9 +121,7 @@ def test_a_choice_that_gives_the_table_away_lets_the_other_play(written):
 
 
 @pytest.mark.usefixtures("own_folders")
-def test_a_script_at_odds_from_the_start_is_one_line_on_stderr(
-    written, tmp_path, capsys
-):
+def test_a_script_at_odds_from_the_start_is_one_line_on_stderr(written, tmp_path, capsys):
     written("")
     script = "game start:\n    go to phase a\n    go to phase b\n"
     (tmp_path / "two.rules").write_text(f"phases a, b\n{script}", encoding="utf-8")
