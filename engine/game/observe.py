@@ -101,7 +101,9 @@ def _translate(event: seen.Event, struck: BallId) -> told.Event | None:
             return told.Pocketed(ball, pocket, time)
         case seen.BallLeftTable(time, ball):
             return told.LeftTable(ball, time)
-        case seen.RollingBegan() | seen.BallStopped():
+        case seen.BallJumpedOver(time, ball, other):
+            return told.JumpedOver(ball, other, time)
+        case seen.RollingBegan() | seen.BallStopped() | seen.BallLanded():
             return None
 
 

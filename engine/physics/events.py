@@ -61,6 +61,24 @@ class BallLeftTable:
 
 
 @dataclass(frozen=True, slots=True)
+class BallLanded:
+    """A flying ball came down on the bed with vertical speed `speed`, m/s."""
+
+    time: float
+    ball: BallId
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class BallJumpedOver:
+    """A flying ball passed over another: told when their centres were nearest, seen from above."""
+
+    time: float
+    ball: BallId
+    other: BallId
+
+
+@dataclass(frozen=True, slots=True)
 class RollingBegan:
     """A sliding ball's slip ended."""
 
@@ -77,5 +95,13 @@ class BallStopped:
 
 
 Event = (
-    BallsCollided | CushionHit | JawHit | BallPocketed | BallLeftTable | RollingBegan | BallStopped
+    BallsCollided
+    | CushionHit
+    | JawHit
+    | BallPocketed
+    | BallLeftTable
+    | BallLanded
+    | BallJumpedOver
+    | RollingBegan
+    | BallStopped
 )

@@ -1,8 +1,8 @@
 """The monitor: whether a shot's trace keeps the rules that hold for every shot.
 
 One idea: the trace is read as it stands, at every event and between them, without asking the
-solver: no ball in another or in a nose, no energy gained, momentum kept where balls meet, all
-numbers finite, nobody gone without a pocket. Invariant: reading changes nothing, and a finding is
+solver: no ball in another or in a nose, no energy gained (height counts), momentum along the bed
+kept where balls meet, all numbers finite, nobody gone without a pocket or a flight. Invariant: reading changes nothing, and a finding is
 a figure, so that the worst of many shots can be told.
 """
 
@@ -49,7 +49,7 @@ class Findings:
 
     `overlap` counts from how deep a pair lay at the start; `gap` is the smallest distance of two
     balls' surfaces, below zero in an overlap; `sunk` is how deep a ball lay in a nose; `gain` is
-    of energy; `momentum` the worst error of a meeting; `lost` how many balls left the table.
+    of energy; `momentum` the worst error of a meeting; `lost` how many balls left the table without flying.
     """
 
     finite: bool
@@ -77,9 +77,11 @@ def examine(trace: Trace, table: Table | None = None) -> Findings:
     """Return what is found at every event of a trace and between; noses with a table."""
     times = _moments(trace)
     gap, overlap = _gaps(trace, times)
-    energy = trace.kinetic_energy(times)
+    energy = trace.kinetic_energy(times) + _potential(trace, times)
     gain = float(np.diff(energy).max(initial=0.0))
-    lost = int((trace.log[:, state.E_KIND] == state.LEFT).sum())
+    left = trace.log[trace.log[:, state.E_KIND] == state.LEFT, state.E_FIRST]
+    flown = trace.pieces[trace.pieces[:, state.P_KIND] == state.FLY, state.P_BALL]
+    lost = int((~np.isin(left, flown)).sum())
     finite = bool(np.isfinite(trace.pieces).all() and np.isfinite(trace.log).all())
     return Findings(
         finite=finite and bool(np.isfinite(energy).all()),
@@ -109,21 +111,35 @@ def _moments(trace: Trace) -> Floats:
     return np.unique(np.concatenate([start + place * length, knots]))
 
 
+def _potential(trace: Trace, times: Floats) -> Floats:
+    """Return the energy (T,) of height above the bed, J."""
+    total = np.zeros(len(times))
+    if not trace.flies:
+        return total
+    mass = np.array([ball.mass for ball in trace.balls])
+    radius = np.array([ball.radius for ball in trace.balls])
+    for first in range(0, len(times), MOMENTS):
+        above = trace.positions(times[first : first + MOMENTS])[..., 2] - radius
+        total[first : first + MOMENTS] = (trace.gravity * mass * np.maximum(above, 0.0)).sum(-1)
+    return total
+
+
 def _runs(trace: Trace, times: Floats) -> Iterator[tuple[Floats, NDArray[np.bool_]]]:
-    """Yield centres (t, n, 2) and who is on the bed (t, n), for runs of moments."""
+    """Yield centres (t, n, 3) and who is on or above the bed (t, n), for runs of moments."""
     for first in range(0, len(times), MOMENTS):
         places = trace.positions(times[first : first + MOMENTS])
-        yield places[..., :2], places[..., 2] > 0.0
+        yield places, places[..., 2] > 0.0
 
 
 def _gaps(trace: Trace, times: Floats) -> tuple[float, float]:
     """Return the smallest gap of two balls and the greatest overlap beyond that at the start."""
     radii = np.array([ball.radius for ball in trace.balls])
-    need = 2.0 * np.sqrt(radii[:, None] * radii)
+    need = radii[:, None] + radii if trace.flies else 2.0 * np.sqrt(radii[:, None] * radii)
+    space = 3 if trace.flies else 2
     first, second = np.triu_indices(len(radii), 1)
     worst, overlap, start = inf, 0.0, None
     for places, here in _runs(trace, times):
-        apart = places[:, first] - places[:, second]
+        apart = (places[:, first] - places[:, second])[..., :space]
         gap = np.sqrt((apart**2).sum(-1)) - need[first, second]
         if start is None:
             start = np.minimum(gap[0], 0.0)
@@ -136,10 +152,15 @@ def _gaps(trace: Trace, times: Floats) -> tuple[float, float]:
 def _sunk(trace: Trace, table: Table, times: Floats) -> float:
     """Return how deep (m) a ball's centre comes within its reach of a nose."""
     noses, _ = pack_noses(table)
-    reaches = np.array([nose_reach(ball.radius, table.nose_height) for ball in trace.balls])
+    radii = np.array([ball.radius for ball in trace.balls])
+    flat = np.array([nose_reach(ball.radius, table.nose_height) for ball in trace.balls])
     far = 4.0 * max((ball.radius for ball in trace.balls), default=0.0)
     deepest = 0.0
     for places, here in _runs(trace, times):
+        reaches = flat
+        if trace.flies:
+            square = radii**2 - (places[..., 2] - table.nose_height) ** 2
+            reaches = np.where(square > 0.0, np.sqrt(np.maximum(square, 0.0)), -np.inf)
         for nose in noses:
             depth = np.where(here, _depths(nose, places, reaches), 0.0)
             depth = np.where(depth < far, depth, 0.0)
@@ -210,7 +231,7 @@ def _meetings(trace: Trace) -> Iterator[tuple[float, set[int]]]:
         kinds = rows[:, state.E_KIND]
         meets = rows[kinds == state.TOUCHING]
         members = {int(ball) for ball in meets[:, [state.E_FIRST, state.E_SECOND]].ravel()}
-        others = np.isin(kinds, (state.NOSE, state.DROPPED, state.LEFT))
+        others = np.isin(kinds, (state.NOSE, state.DROPPED, state.LEFT, state.LANDED))
         if members and not members & {int(ball) for ball in rows[others, state.E_FIRST]}:
             yield float(times[first]), members
         first = last

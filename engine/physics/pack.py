@@ -34,6 +34,7 @@ CUSHIONS = {
 }
 STRIKES = ("point",)
 POCKETS = ("drop-edge",)
+FLIGHTS = ("ballistic", "none")
 OVERLAP = 1e-4
 
 
@@ -89,6 +90,7 @@ def _pack(world: World) -> Packed:
     rows[:, state.END] = np.inf
     for row, ball in zip(rows, world.balls, strict=True):
         row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
+        row[state.Z] = ball.radius
         row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
     return Packed(
         world=world,
@@ -107,7 +109,7 @@ def pack_world(world: World) -> NDArray[np.float64]:
     cloth, contact, rubber, table = world.cloth, world.contact, world.rubber, world.table
     _check_world(world)
     reach = max((ball.radius for ball in world.balls), default=0.0) * 8.0
-    row = np.zeros(19)
+    row = np.zeros(20)
     row[state.G_SLIDING], row[state.G_ROLLING] = cloth.sliding, cloth.rolling
     row[state.G_SPIN], row[state.G_THRESHOLD] = cloth.spin_deceleration, cloth.threshold
     row[state.G_GRAVITY], row[state.G_E] = cloth.gravity, contact.restitution
@@ -121,8 +123,10 @@ def pack_world(world: World) -> NDArray[np.float64]:
     row[state.G_CUSHION] = _choose(CUSHIONS, models.ball_cushion, "ball_cushion")
     _choose(dict.fromkeys(STRIKES, 0), models.strike, "strike")
     _choose(dict.fromkeys(POCKETS, 0), models.pocket, "pocket")
+    _choose(dict.fromkeys(FLIGHTS, 0), models.flight, "flight")
     row[state.G_OUT_X] = table.length / 2.0 + reach
     row[state.G_OUT_Y] = table.width / 2.0 + reach
+    row[state.G_BED] = cloth.bounce
     return row
 
 
@@ -152,6 +156,7 @@ def _check_world(world: World) -> None:
     for what, number in (
         ("ball on ball", world.contact.restitution),
         ("ball on cushion", world.rubber.restitution),
+        ("ball on bed", cloth.bounce),
     ):
         if not 0.0 <= number <= 1.0:
             message = f"the restitution of {what} lies between 0 and 1, not at {number}"

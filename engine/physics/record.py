@@ -43,11 +43,13 @@ from engine.physics.state import (
     P_T1,
     P_VX,
     P_VY,
+    P_VZ,
     P_WX,
     P_WY,
     P_WZ,
     P_X,
     P_Y,
+    P_Z,
     REST,
     ROLL,
     ROLLING,
@@ -55,11 +57,13 @@ from engine.physics.state import (
     T0,
     VX,
     VY,
+    VZ,
     WX,
     WY,
     WZ,
     X,
     Y,
+    Z,
 )
 
 if TYPE_CHECKING:
@@ -98,6 +102,7 @@ def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: fl
     row[P_X], row[P_Y], row[P_VX], row[P_VY] = ball[X], ball[Y], ball[VX], ball[VY]
     row[P_WX], row[P_WY], row[P_WZ] = ball[WX], ball[WY], ball[WZ]
     row[P_AX], row[P_AY], row[P_BX], row[P_BY] = ball[AX], ball[AY], ball[BX], ball[BY]
+    row[P_Z], row[P_VZ] = ball[Z], ball[VZ]
     counts[PIECES] += 1
 
 

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 EVENT_CAP = 100_000
+DOWN = 4
+"""What `engine.physics.flight` answers when no ball flies any more."""
+
 STEP = 1.0 / 60.0
 """Time step (s) of the solvers that have one."""
 
@@ -82,11 +85,13 @@ class Simulation:
     def _strike_one(self) -> None:
         i = next(k for k, ball in enumerate(self._balls) if ball.id == self._ball)
         world = self._world
-        motion = strike_ball(self._balls[i], world.cue, world.cloth, self._strike)
+        flies = world.models.flight == "ballistic" and world.models.solver == "stepwise"
+        motion = strike_ball(self._balls[i], world.cue, world.cloth, self._strike, flies=flies)
         row = self._rows[i]
         row[state.VX], row[state.VY] = motion.velocity
         row[state.WX], row[state.WY], row[state.WZ] = motion.spin
-        self._kinds[i] = state.SLIDE
+        row[state.VZ] = motion.rise
+        self._kinds[i] = state.FLY if motion.rise > 0.0 else state.SLIDE
 
     def advance(self, until: float) -> None:
         """Carry out all events up to `until` (s)."""
@@ -112,6 +117,10 @@ class Simulation:
         run, run_fixed = _kernels()
         solver = self._world.models.solver
         if solver == "stepwise":
+            if state.FLY in self._kinds:
+                answer = _flight()(*arrays, self._pairs, self._foreseen, *record)
+                if answer != DOWN:
+                    return int(answer)
             return int(run(*arrays, self._pairs, self._foreseen, *record))
         return int(run_fixed(*arrays, *record, self._step, FIXED.index(solver)))
 
@@ -128,6 +137,7 @@ class Simulation:
             owners=self._packed.owners,
             pockets=self._packed.drop_ids,
             spin_rate=self._world.cloth.spin_deceleration,
+            gravity=self._world.cloth.gravity,
             duration=now,
         )
 
@@ -141,6 +151,7 @@ class Simulation:
         pieces[:, state.P_T1] = np.where(gone, rows[:, state.T0], now)
         pieces[:, state.P_X : state.P_WZ + 1] = rows[:, state.X : state.WZ + 1]
         pieces[:, state.P_AX : state.P_BY + 1] = rows[:, state.AX : state.BY + 1]
+        pieces[:, state.P_Z], pieces[:, state.P_VZ] = rows[:, state.Z], rows[:, state.VZ]
         if not gone.any():
             return pieces
         done = np.isin(np.arange(len(rows)), self._pieces[: self._counts[0], state.P_BALL])
@@ -156,6 +167,15 @@ def _kernels() -> tuple[Callable[..., int], Callable[..., int]]:
 
     drop_stale(Path(str(run.stats.cache_path)), Path(__file__).parent)
     return run, run_fixed
+
+
+@cache
+def _flight() -> Callable[..., int]:
+    """Return the kernel of shots that leave the bed; `_kernels` has been asked before."""
+    from engine.physics.flight import run_flying  # noqa: PLC0415  numba
+
+    kernel: Callable[..., int] = run_flying
+    return kernel
 
 
 def simulate(

@@ -8,24 +8,27 @@ are never chained from a later time.
 
 from __future__ import annotations
 
-REST, SPIN, ROLL, SLIDE, FAST, GONE = range(6)
-"""Kinds of motion; FAST is the two-speed model's upper branch, GONE is off the bed."""
+REST, SPIN, ROLL, SLIDE, FAST, GONE, FLY = range(7)
+"""Kinds of motion; FAST is the two-speed model's upper branch, GONE is off the bed, FLY above it."""
 
-(T0, END, X, Y, VX, VY, WX, WY, WZ, AX, AY, BX, BY, RADIUS, MASS, REACH, CEASE) = range(17)
-BALL_WIDTH = 17
+(T0, END, X, Y, VX, VY, WX, WY, WZ, AX, AY, BX, BY, RADIUS, MASS, REACH, CEASE, Z, VZ) = range(19)
+BALL_WIDTH = 19
 """Piece start and end, r, v, w, acceleration, rate of w_x and w_y; radius, mass, the horizontal
-distance at which the ball touches a nose, and the time at which its side spin has ceased."""
+distance at which the ball touches a nose, the time at which its side spin has ceased, and height
+of the centre with its speed, which only flight changes."""
 
 (P_BALL, P_T0, P_T1, P_KIND, P_X, P_Y, P_VX, P_VY, P_WX, P_WY, P_WZ, P_AX, P_AY, P_BX, P_BY) = (
     range(15)
 )
-PIECE_WIDTH = 15
+P_Z, P_VZ = 15, 16
+FLAT_WIDTH, PIECE_WIDTH = 15, 17
+"""The columns of a piece on the bed, and all, with height and its speed at the start."""
 
 E_KIND, E_TIME, E_FIRST, E_SECOND, E_SPEED = range(5)
 EVENT_WIDTH = 5
 
-TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED = (float(kind) for kind in range(6))
-"""Kinds of event: balls collided, nose hit, pocketed, left the table, began rolling, stopped.
+TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED, LANDED = (float(kind) for kind in range(7))
+"""Kinds of event: balls collided, nose hit, pocketed, left the table, began rolling, stopped, landed.
 
 Floats, since a kernel is compiled anew for every whole number it is called with.
 """
@@ -50,8 +53,10 @@ Floats, since a kernel is compiled anew for every whole number it is called with
     G_CUSHION,
     G_OUT_X,
     G_OUT_Y,
-) = range(19)
-"""The world's numbers: cloth, contact, rubber, nose height, models, and the outer bounds."""
+    G_BED,
+) = range(20)
+"""The world's numbers: cloth, contact, rubber, nose height, models, the outer bounds, and the bed's
+restitution."""
 
 N_CURVED, N_X, N_Y, N_DX, N_DY, N_SIZE, N_SPAN, N_LOX, N_LOY, N_HIX, N_HIY = range(11)
 """A nose: straight from (X, Y) along (DX, DY) for SIZE, or an arc about (X, Y) of radius SIZE
@@ -70,6 +75,9 @@ STILL = 1e-9
 
 SOFT = 1e-3
 """An approach (m/s) below which a contact rests, carried by tiny lossless bounces."""
+
+HOP = 1e-3
+"""A bounce off the bed that would rise less than this (m) does not rise at all."""
 
 KICK = 1e-3
 """The least speed (m/s) at which a resting contact bounces, paid for by the balls' spin."""

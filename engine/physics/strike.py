@@ -1,9 +1,10 @@
 """What the cue does to the ball: the model `point`.
 
 One idea: one impulse at the tip's point of contact, along the cue (Leckie & Greenspan 2006;
-Alciatore TP A.30), turned aside by squirt (TP A.31). The cue may be raised, but the ball does not
-fly: the bed takes the downward part and answers with friction. Invariant: the tip's grip is never
-exceeded; beyond the miscue limit the tip slips off and the impulse turns away from the cue's line.
+Alciatore TP A.30), turned aside by squirt (TP A.31). Where the cue is raised, the bed answers the
+downward part at once, with restitution and friction, and the ball flies where that is worth it.
+Invariant: the tip's grip is never exceeded; beyond the miscue limit the tip slips off and the
+impulse turns away from the cue's line.
 """
 
 from __future__ import annotations
@@ -12,16 +13,19 @@ from dataclasses import dataclass
 from math import asin, atan2, cos, hypot, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
+from engine.physics.state import HOP
+
 if TYPE_CHECKING:
     from engine.physics.world import Ball, Cloth, Cue, Strike
 
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A ball's velocity (m/s) on the bed and its spin (rad/s)."""
+    """A ball's velocity (m/s) along the bed, its spin (rad/s), and its speed upwards (m/s)."""
 
     velocity: tuple[float, float]
     spin: tuple[float, float, float]
+    rise: float = 0.0
 
 
 def miscue_limit(cue: Cue) -> float:
@@ -38,8 +42,13 @@ def squirt_angle(side: float, end_mass_ratio: float) -> float:
     return atan2(2.5 * side * sqrt(left), 1.0 + end_mass_ratio + 2.5 * left)
 
 
-def strike_ball(ball: Ball, cue: Cue, cloth: Cloth, strike: Strike) -> Motion:
-    """Return how the ball starts; raises ValueError where the tip cannot meet the ball."""
+def strike_ball(
+    ball: Ball, cue: Cue, cloth: Cloth, strike: Strike, *, flies: bool = True
+) -> Motion:
+    """Return how the ball starts; raises ValueError where the tip cannot meet the ball.
+
+    Unless it `flies`, the bed takes all of the downward speed.
+    """
     _check(strike)
     offset, miss = hypot(strike.side, strike.follow), 0.0
     side, follow = strike.side, strike.follow
@@ -61,7 +70,7 @@ def strike_ball(ball: Ball, cue: Cue, cloth: Cloth, strike: Strike) -> Motion:
     c, s = cos(strike.heading), sin(strike.heading)
     # the cue's right-hand side is (sin, -cos); follow turns the ball about its left-hand side
     spin = (ahead * c + right * s, ahead * s - right * c, up)
-    return _press(ball, cloth, velocity, spin, speed * down)
+    return _press(ball, cloth, velocity, spin, speed * down, flies=flies)
 
 
 def _check(strike: Strike) -> None:
@@ -83,21 +92,27 @@ def _press(
     velocity: tuple[float, float],
     spin: tuple[float, float, float],
     pressed: float,
+    *,
+    flies: bool,
 ) -> Motion:
-    """Return the motion after the bed has stopped the downward speed `pressed` (m/s)."""
+    """Return the motion after the bed has answered the downward speed `pressed` (m/s)."""
+    rise = cloth.bounce * pressed if flies else 0.0
+    if rise * rise <= 2.0 * cloth.gravity * HOP:
+        rise = 0.0
     slip = (
         velocity[0] - ball.radius * spin[1],
         velocity[1] + ball.radius * spin[0],
     )
     total = hypot(*slip)
     if total == 0.0 or pressed <= 0.0:
-        return Motion(velocity, spin)
-    change = min(cloth.sliding * pressed, total / 3.5)
+        return Motion(velocity, spin, rise)
+    change = min(cloth.sliding * (pressed + rise), total / 3.5)
     ux, uy = slip[0] / total, slip[1] / total
     twist = 2.5 * change / ball.radius
     return Motion(
         (velocity[0] - change * ux, velocity[1] - change * uy),
         (spin[0] - twist * uy, spin[1] + twist * ux, spin[2]),
+        rise,
     )
 
 

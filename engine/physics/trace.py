@@ -34,9 +34,10 @@ Piece = tuple[float, float, "Point", "Point", "Point"]
 class Trace:
     """A simulated shot.
 
-    `balls` are those on the table, in the order of every array's ball axis; `pieces` (m, 15) and
+    `balls` are those on the table, in the order of every array's ball axis; `pieces` (m, 17) and
     `log` (k, 5) have the columns P_* and E_* of `engine.physics.state`, pieces sorted by ball and
-    time; `duration` is in s; `spin_rate` is the loss of side spin in rad/s^2.
+    time; `duration` is in s; `spin_rate` is the loss of side spin on the bed in rad/s^2;
+    `gravity` in m/s^2 bends what flies.
     """
 
     balls: tuple[Ball, ...]
@@ -46,6 +47,7 @@ class Trace:
     pockets: tuple[PocketId, ...]
     spin_rate: float
     duration: float
+    gravity: float = 9.81
 
     def events(self) -> tuple[Event, ...]:
         """Return the events in order, typed.
@@ -53,7 +55,12 @@ class Trace:
         A resting contact is carried by tiny bounces; of those only the first is told. `log` has
         them all.
         """
-        return tuple(self._event(row) for row in self._told())
+        told = [self._event(row) for row in self._told()]
+        if not self.flies:
+            return tuple(told)
+        from engine.physics.passing import jumps  # noqa: PLC0415  only flights need it
+
+        return tuple(sorted([*told, *jumps(self)], key=lambda event: event.time))
 
     def positions(self, times: ArrayLike) -> Floats:
         """Return the centres (T, n, 3) in m; a ball that is gone rests below the bed."""
@@ -62,7 +69,11 @@ class Trace:
         out = np.empty((len(at), len(self.balls), 3))
         for k, v, a in ((0, state.P_VX, state.P_AX), (1, state.P_VY, state.P_AY)):
             out[..., k] = rows[..., state.P_X + k] + s * (rows[..., v] + 0.5 * s * rows[..., a])
-        out[..., 2] = np.where(at[:, None] > self._gone_at()[None, :], -radii, radii)
+        height = radii
+        if self.flies:
+            rise = rows[..., state.P_VZ] - 0.5 * self.gravity * s
+            height = np.where(_aloft(rows), rows[..., state.P_Z] + s * rise, radii)
+        out[..., 2] = np.where(at[:, None] > self._gone_at()[None, :], -radii, height)
         return out
 
     def velocities(self, times: ArrayLike) -> Floats:
@@ -72,6 +83,8 @@ class Trace:
         moving = at[:, None] <= self._ends()[None, :]
         out[..., 0] = rows[..., state.P_VX] + s * rows[..., state.P_AX]
         out[..., 1] = rows[..., state.P_VY] + s * rows[..., state.P_AY]
+        if self.flies:
+            out[..., 2] = np.where(_aloft(rows), rows[..., state.P_VZ] - self.gravity * s, 0.0)
         return np.where(moving[..., None], out, 0.0)
 
     def spins(self, times: ArrayLike) -> Floats:
@@ -82,8 +95,14 @@ class Trace:
         out[..., 0] = rows[..., state.P_WX] + s * rows[..., state.P_BX]
         out[..., 1] = rows[..., state.P_WY] + s * rows[..., state.P_BY]
         side = rows[..., state.P_WZ]
-        out[..., 2] = np.sign(side) * np.maximum(np.abs(side) - self.spin_rate * s, 0.0)
+        lost = np.where(_aloft(rows), 0.0, self.spin_rate * s)
+        out[..., 2] = np.sign(side) * np.maximum(np.abs(side) - lost, 0.0)
         return np.where(moving[..., None], out, 0.0)
+
+    @property
+    def flies(self) -> bool:
+        """Say whether any ball leaves the bed."""
+        return bool(_aloft(self.pieces).any())
 
     def orientations(self, times: ArrayLike) -> Floats:
         """Return the rotations (T, n, 3, 3) from each ball's start to `times`."""
@@ -139,7 +158,10 @@ class Trace:
     def hash(self) -> str:
         """Return a digest of all bits of pieces, events and duration."""
         digest = sha256(" ".join(ball.id for ball in self.balls).encode())
-        digest.update(np.ascontiguousarray(self.pieces).tobytes())
+        flat = np.ascontiguousarray(self.pieces[:, : state.FLAT_WIDTH])
+        digest.update(flat.tobytes())
+        if self.flies:
+            digest.update(np.ascontiguousarray(self.pieces[:, state.FLAT_WIDTH :]).tobytes())
         digest.update(np.ascontiguousarray(self.log).tobytes())
         digest.update(np.float64(self.duration).tobytes())
         return digest.hexdigest()
@@ -199,6 +221,8 @@ class Trace:
             return happened.BallPocketed(time, ball, self.pockets[second])
         if kind == state.LEFT:
             return happened.BallLeftTable(time, ball)
+        if kind == state.LANDED:
+            return happened.BallLanded(time, ball, speed)
         if kind == state.ROLLING:
             return happened.RollingBegan(time, ball)
         if kind == state.STOPPED:
@@ -209,6 +233,11 @@ class Trace:
         if owner.pocket is None:
             raise AssertionError("a nose belongs to a cushion or a pocket")
         return happened.JawHit(time, ball, owner.pocket, speed)
+
+
+def _aloft(rows: Floats) -> NDArray[np.bool_]:
+    aloft: NDArray[np.bool_] = rows[..., state.P_KIND] == state.FLY
+    return aloft
 
 
 _LASTING = (state.TOUCHING, state.NOSE, state.ROLLING, state.STOPPED)

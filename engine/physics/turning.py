@@ -60,7 +60,7 @@ def _knots(rows: Floats, rate: float, times: Floats) -> tuple[Floats, Floats]:
 
 def _cuts(row: Floats, rate: float, times: Floats) -> Floats:
     start, end = row[state.P_T0], row[state.P_T1]
-    ceased = start + abs(row[state.P_WZ]) / rate
+    ceased = start + abs(row[state.P_WZ]) / rate if row[state.P_KIND] != state.FLY else end
     inside = [t for t in (ceased,) if start < t < end]
     asked = times[(times > start) & (times < end)]
     base = np.unique(np.concatenate([[start, end], inside, asked]))
@@ -74,11 +74,12 @@ def _cuts(row: Floats, rate: float, times: Floats) -> Floats:
 def _spin(row: Floats, rate: float, times: Floats) -> Floats:
     s = times - row[state.P_T0]
     side = row[state.P_WZ]
+    lost = 0.0 if row[state.P_KIND] == state.FLY else rate
     return np.stack(
         [
             row[state.P_WX] + s * row[state.P_BX],
             row[state.P_WY] + s * row[state.P_BY],
-            np.sign(side) * np.maximum(np.abs(side) - rate * s, 0.0),
+            np.sign(side) * np.maximum(np.abs(side) - lost * s, 0.0),
         ],
         axis=-1,
     )

@@ -33,7 +33,7 @@ class Cloth:
     """Coefficients of sliding and rolling friction, and the loss of side spin in rad/s^2.
 
     `threshold` (m/s) belongs to the two-speed model alone: rolling friction below, sliding
-    friction above.
+    friction above. `bounce` is the restitution of ball and slate.
     """
 
     sliding: float
@@ -41,6 +41,7 @@ class Cloth:
     spin_deceleration: float
     threshold: float = 1.5
     gravity: float = 9.81
+    bounce: float = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +84,7 @@ class Models:
     ball_cushion: str = "han-2005"
     strike: str = "point"
     pocket: str = "drop-edge"
+    flight: str = "ballistic"
 
 
 MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -93,6 +95,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
         "strike": ("point",),
         "pocket": ("drop-edge",),
+        "flight": ("ballistic", "none"),
     }
 )
 """The names that each field of Models may have."""

@@ -344,6 +344,7 @@ class ModelNames(Shape):
     ball_cushion: str | None = None
     strike: str | None = None
     pocket: str | None = None
+    flight: str | None = None
 
 
 class VariantSpec(Shape):

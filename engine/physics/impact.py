@@ -1,0 +1,194 @@
+"""What meets a ball in three dimensions: the bed, a nose, another ball.
+
+One idea: restitution along the true normal and Coulomb friction across it, at most what stops the
+slip (2/7 of mass times slip); a ball that lies on the bed and is pressed onto it cannot sink, so
+the bed gives back the vertical part. Invariant: energy is never gained, the momentum of two balls
+along the bed is exact, and spin about the vertical is unchanged by the bed.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import TYPE_CHECKING
+
+from numba import njit
+
+from engine.physics.collide import friction
+from engine.physics.rebound import bounce
+from engine.physics.state import (
+    ELASTIC,
+    FLY,
+    G_BALL_BALL,
+    G_BED,
+    G_E,
+    G_FRICTION,
+    G_GRAVITY,
+    G_KNEE,
+    G_NOSE,
+    G_RUBBER,
+    G_SLIDING,
+    G_SLOPE,
+    HOP,
+    MASS,
+    RADIUS,
+    SOFT,
+    VX,
+    VY,
+    VZ,
+    WX,
+    WY,
+    WZ,
+    X,
+    Y,
+    Z,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+LIGHT = 0.02
+"""An approach (m/s) in the air below which a contact loses nothing, so that bounces do not pile up."""
+
+SKIM = 5e-3
+"""A ball less than this (m) above the bed meets a nose by the bed's own model."""
+
+
+@njit(cache=True, error_model="numpy")
+def meet_bed(ball: Floats, world: Floats) -> float:
+    """Resolve a fall onto the bed; return its speed (m/s). V_z is zero where the ball stays down.
+
+    Restitution and friction as Alciatore TP B.10 has them: the slip loses at most
+    min(mu (1 + e) w, 2/7 |u|), and the end of a slide stays what it was.
+    """
+    down = max(-ball[VZ], 0.0)
+    rise = world[G_BED] * down
+    if rise * rise <= 2.0 * world[G_GRAVITY] * HOP:
+        rise = 0.0
+    ball[VZ], ball[Z] = rise, ball[RADIUS]
+    ux, uy = ball[VX] - ball[RADIUS] * ball[WY], ball[VY] + ball[RADIUS] * ball[WX]
+    slip = sqrt(ux * ux + uy * uy)
+    if slip > 0.0:
+        change = min(world[G_SLIDING] * (down + rise), slip / 3.5)
+        ux, uy = ux / slip, uy / slip
+        ball[VX] -= change * ux
+        ball[VY] -= change * uy
+        ball[WX] -= 2.5 * change / ball[RADIUS] * uy
+        ball[WY] += 2.5 * change / ball[RADIUS] * ux
+    return down
+
+
+@njit(cache=True, error_model="numpy")
+def _turn(ball: Floats, nx: float, ny: float, nz: float, jx: float, jy: float, jz: float) -> None:
+    """Turn a ball by the impulse j (N s) at its surface in the direction n."""
+    lever = 2.5 / (ball[MASS] * ball[RADIUS])
+    ball[WX] += lever * (ny * jz - nz * jy)
+    ball[WY] += lever * (nz * jx - nx * jz)
+    ball[WZ] += lever * (nx * jy - ny * jx)
+
+
+@njit(cache=True, error_model="numpy")
+def _push(ball: Floats, jx: float, jy: float, jz: float) -> None:
+    ball[VX] += jx / ball[MASS]
+    ball[VY] += jy / ball[MASS]
+    ball[VZ] += jz / ball[MASS]
+
+
+@njit(cache=True, error_model="numpy")
+def meet_nose(ball: Floats, world: Floats, px: float, py: float) -> float:
+    """Resolve a hit on the nose's point above (px, py); return the closing speed, m/s."""
+    dx, dy, dz = px - ball[X], py - ball[Y], world[G_NOSE] - ball[Z]
+    level = sqrt(dx * dx + dy * dy)
+    reach = sqrt(level * level + dz * dz)
+    nx, ny, nz = dx / reach, dy / reach, dz / reach
+    speed = ball[VX] * nx + ball[VY] * ny + ball[VZ] * nz
+    if ball[Z] < ball[RADIUS] + SKIM and level > 0.0:
+        ix, iy = dx / level, dy / level
+        if ball[VX] * ix + ball[VY] * iy >= SOFT:
+            bounce(ball, world, ix, iy)
+    left = ball[VX] * nx + ball[VY] * ny + ball[VZ] * nz
+    if left > 0.0:
+        _off_nose(ball, world, nx, ny, nz, left)
+    return speed
+
+
+@njit(cache=True, error_model="numpy")
+def _off_nose(ball: Floats, world: Floats, nx: float, ny: float, nz: float, speed: float) -> None:
+    restitution = world[G_RUBBER] - world[G_SLOPE] * max(0.0, speed - world[G_KNEE])
+    restitution = min(max(restitution, 0.0), 1.0) if speed >= LIGHT else 1.0
+    mass, radius = ball[MASS], ball[RADIUS]
+    pressed = (1.0 + restitution) * speed * mass
+    sx = ball[VX] + radius * (ball[WY] * nz - ball[WZ] * ny) - speed * nx
+    sy = ball[VY] + radius * (ball[WZ] * nx - ball[WX] * nz) - speed * ny
+    sz = ball[VZ] + radius * (ball[WX] * ny - ball[WY] * nx) - speed * nz
+    _push(ball, -pressed * nx, -pressed * ny, -pressed * nz)
+    slip = sqrt(sx * sx + sy * sy + sz * sz)
+    if slip > 1e-15:
+        rub = -min(world[G_FRICTION] * pressed, mass * slip / 3.5) / slip
+        _push(ball, rub * sx, rub * sy, rub * sz)
+        _turn(ball, nx, ny, nz, rub * sx, rub * sy, rub * sz)
+
+
+@njit(cache=True, error_model="numpy")
+def nearing(one: Floats, two: Floats) -> float:
+    """Return how fast two balls near each other along their line of centres, m/s."""
+    nx, ny, nz = two[X] - one[X], two[Y] - one[Y], two[Z] - one[Z]
+    along = (one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny + (one[VZ] - two[VZ]) * nz
+    return along / sqrt(nx * nx + ny * ny + nz * nz)
+
+
+@njit(cache=True, error_model="numpy")
+def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Floats) -> float:
+    """Resolve a meeting of which at least one flies; return the speed of approach, m/s.
+
+    The kinds are those of both before; a ball that lies on the bed leaves it only upwards.
+    """
+    nx, ny, nz = two[X] - one[X], two[Y] - one[Y], two[Z] - one[Z]
+    reach = sqrt(nx * nx + ny * ny + nz * nz)
+    nx, ny, nz = nx / reach, ny / reach, nz / reach
+    speed = nearing(one, two)
+    light = (1.0 - (nz * nz if kind_one != FLY and nz > 0.0 else 0.0)) / one[MASS]
+    light += (1.0 - (nz * nz if kind_two != FLY and nz < 0.0 else 0.0)) / two[MASS]
+    restitution = world[G_E] if speed >= LIGHT else 1.0
+    impulse = (1.0 + restitution) * speed / light
+    sx, sy, sz = _slip(one, two, nx, ny, nz, speed)
+    _push(one, -impulse * nx, -impulse * ny, -impulse * nz)
+    _push(two, impulse * nx, impulse * ny, impulse * nz)
+    slip = sqrt(sx * sx + sy * sy + sz * sz)
+    if world[G_BALL_BALL] != ELASTIC and slip > 1e-15:
+        reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
+        rub = -min(friction(world, slip) * impulse, reduced * slip / 3.5) / slip
+        _push(one, rub * sx, rub * sy, rub * sz)
+        _push(two, -rub * sx, -rub * sy, -rub * sz)
+        _turn(one, nx, ny, nz, rub * sx, rub * sy, rub * sz)
+        _turn(two, nx, ny, nz, rub * sx, rub * sy, rub * sz)
+    _keep_down(one, kind_one, world)
+    _keep_down(two, kind_two, world)
+    return speed
+
+
+@njit(cache=True, error_model="numpy")
+def _slip(
+    one: Floats, two: Floats, nx: float, ny: float, nz: float, speed: float
+) -> tuple[float, float, float]:
+    """Return the velocity (m/s) of the first ball's surface against the second's."""
+    wx = one[RADIUS] * one[WX] + two[RADIUS] * two[WX]
+    wy = one[RADIUS] * one[WY] + two[RADIUS] * two[WY]
+    wz = one[RADIUS] * one[WZ] + two[RADIUS] * two[WZ]
+    return (
+        one[VX] - two[VX] + wy * nz - wz * ny - speed * nx,
+        one[VY] - two[VY] + wz * nx - wx * nz - speed * ny,
+        one[VZ] - two[VZ] + wx * ny - wy * nx - speed * nz,
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def _keep_down(ball: Floats, kind: int, world: Floats) -> None:
+    """Let a ball on the bed rise only where it is worth it."""
+    if kind != FLY and (ball[VZ] <= 0.0 or ball[VZ] ** 2 <= 2.0 * world[G_GRAVITY] * HOP):
+        ball[VZ] = 0.0
+
+
+__all__ = ["meet_ball", "meet_bed", "meet_nose", "nearing"]
