@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from numba import njit
 
-from engine.physics.collide import friction
+from engine.physics.collide import friction, kick, scale_spin, spin_energy
 from engine.physics.rebound import bounce
 from engine.physics.state import (
     ELASTIC,
@@ -29,6 +29,7 @@ from engine.physics.state import (
     G_SLIDING,
     G_SLOPE,
     HOP,
+    KICK,
     MASS,
     RADIUS,
     SOFT,
@@ -151,8 +152,12 @@ def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Flo
     speed = nearing(one, two)
     light = (1.0 - (nz * nz if kind_one != FLY and nz > 0.0 else 0.0)) / one[MASS]
     light += (1.0 - (nz * nz if kind_two != FLY and nz < 0.0 else 0.0)) / two[MASS]
-    restitution = world[G_E] if speed >= LIGHT else 1.0
-    impulse = (1.0 + restitution) * speed / light
+    leaving = world[G_E] * speed if speed >= LIGHT else speed
+    if speed < KICK:
+        leaving, factor = kick(speed, 1.0 / light, spin_energy(one) + spin_energy(two))
+        scale_spin(one, factor)
+        scale_spin(two, factor)
+    impulse = (speed + leaving) / light
     sx, sy, sz = _slip(one, two, nx, ny, nz, speed)
     _push(one, -impulse * nx, -impulse * ny, -impulse * nz)
     _push(two, impulse * nx, impulse * ny, impulse * nz)

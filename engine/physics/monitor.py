@@ -160,7 +160,7 @@ def _sunk(trace: Trace, table: Table, times: Floats) -> float:
         reaches = flat
         if trace.flies:
             square = radii**2 - (places[..., 2] - table.nose_height) ** 2
-            reaches = np.where(square > 0.0, np.sqrt(np.maximum(square, 0.0)), -np.inf)
+            reaches = np.where(square > 2.0 * OVERLAP * radii, np.sqrt(np.maximum(square, 0.0)), -np.inf)
         for nose in noses:
             depth = np.where(here, _depths(nose, places, reaches), 0.0)
             depth = np.where(depth < far, depth, 0.0)

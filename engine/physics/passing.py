@@ -36,8 +36,10 @@ def jumps(trace: Trace) -> list[BallJumpedOver]:
 
 def _passages(trace: Trace, row: Floats) -> Iterator[tuple[float, int]]:
     """Yield when one flight passes over other balls, and which."""
-    gone = _gone(trace)
-    for piece in trace.pieces:
+    gone, pieces = _gone(trace), trace.pieces
+    lasting = pieces[:, state.P_KIND] == state.REST
+    early = pieces[:, state.P_T0] < row[state.P_T1]
+    for piece in pieces[early & (lasting | (pieces[:, state.P_T1] > row[state.P_T0]))]:
         me, other = int(row[state.P_BALL]), int(piece[state.P_BALL])
         start = max(row[state.P_T0], piece[state.P_T0])
         end = min(row[state.P_T1], gone.get(other, np.inf), _end(trace, piece))

@@ -1,5 +1,6 @@
 """Worlds, thrown balls and the monitor that the physics tests share."""
 
+from dataclasses import replace
 from math import inf, radians, sqrt
 
 import numpy as np
@@ -42,6 +43,11 @@ def make_world(
         cue=Cue(0.5386, 0.73, 0.6, 25.0),
         models=Models(**models),
     )
+
+
+def grounded(world):
+    """The same world with all balls kept on the bed."""
+    return replace(world, models=replace(world.models, flight="none"))
 
 
 def open_world(n=2, **options):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from physics_cases import random_strike, watch
+from physics_cases import grounded, random_strike, watch
 
 from engine.physics.events import BallLeftTable
 from engine.physics.pack import nose_reach, packed
@@ -38,7 +38,7 @@ def crowded(rng, world, reach):
 @pytest.mark.parametrize("name", ["eight_ball", "snooker", "three_cushion"])
 @pytest.mark.parametrize("seed", range(25))
 def test_random_shots(name, seed):
-    world = load_variant(name).world
+    world = grounded(load_variant(name).world)
     table = world.table
     reach = nose_reach(world.balls[0].radius, table.nose_height)
     rng = np.random.default_rng(seed)

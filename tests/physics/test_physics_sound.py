@@ -47,7 +47,7 @@ def test_random_shots_on_a_table_without_pockets(seed):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(1, 10))
     cushion = ["han-2005", "restitution", "mathavan-2010"][seed % 3]
-    world = make_world(n, ball_cushion=cushion)
+    world = make_world(n, ball_cushion=cushion, flight="none")
     trace = simulate(world, random_layout(rng, n), "b0", random_strike(rng))
     watch(trace)
     assert len(trace.final) == n
@@ -58,7 +58,8 @@ def test_random_shots_on_a_table_without_pockets(seed):
 def test_random_shots_on_a_table_with_six_pockets(seed):
     rng = np.random.default_rng(1000 + seed)
     n = int(rng.integers(1, 14))
-    world = make_world(n, pockets=True, cuts=[(CORNER, SIDE), ROUND, TIGHT][seed % 3])
+    cuts = [(CORNER, SIDE), ROUND, TIGHT][seed % 3]
+    world = make_world(n, pockets=True, cuts=cuts, flight="none")
     trace = simulate(world, random_layout(rng, n), "b0", random_strike(rng))
     watch(trace, pockets=True)
     assert len(trace.final) + len(trace.pocketed) == n
