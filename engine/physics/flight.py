@@ -123,7 +123,9 @@ def run_flying(
         clock[0] = now
         if what == IN_PAIR:
             _meet(balls, kinds, world, pieces, events, counts, who, other, now)
-            _settle(balls, kinds, world, noses, pockets, pairs, foreseen, events, counts, other, box)
+            _settle(
+                balls, kinds, world, noses, pockets, pairs, foreseen, events, counts, other, box
+            )
         elif what == IN_NOSE:
             _advance(balls[who], kinds[who], world, pieces, counts, who, now)
             nose = int(foreseen[who, K_NOSE])

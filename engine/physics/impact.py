@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 LIGHT = 0.02
-"""An approach (m/s) in the air below which a contact loses nothing, so that bounces do not pile up."""
+"""An approach (m/s) in the air below which a contact loses nothing: bounces do not pile up."""
 
 SKIM = 5e-3
 """A ball less than this (m) above the bed meets a nose by the bed's own model."""

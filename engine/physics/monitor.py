@@ -2,8 +2,8 @@
 
 One idea: the trace is read as it stands, at every event and between them, without asking the
 solver: no ball in another or in a nose, no energy gained (height counts), momentum along the bed
-kept where balls meet, all numbers finite, nobody gone without a pocket or a flight. Invariant: reading changes nothing, and a finding is
-a figure, so that the worst of many shots can be told.
+kept where balls meet, all numbers finite, nobody gone without a pocket or a flight.
+Invariant: reading changes nothing, and a finding is a figure, so that the worst of many shots can be told.
 """
 
 from __future__ import annotations
@@ -49,7 +49,8 @@ class Findings:
 
     `overlap` counts from how deep a pair lay at the start; `gap` is the smallest distance of two
     balls' surfaces, below zero in an overlap; `sunk` is how deep a ball lay in a nose; `gain` is
-    of energy; `momentum` the worst error of a meeting; `lost` how many balls left the table without flying.
+    of energy; `momentum` the worst error of a meeting; `lost` how many balls left the table
+    without flying.
     """
 
     finite: bool
@@ -160,7 +161,9 @@ def _sunk(trace: Trace, table: Table, times: Floats) -> float:
         reaches = flat
         if trace.flies:
             square = radii**2 - (places[..., 2] - table.nose_height) ** 2
-            reaches = np.where(square > 2.0 * OVERLAP * radii, np.sqrt(np.maximum(square, 0.0)), -np.inf)
+            reaches = np.where(
+                square > 2.0 * OVERLAP * radii, np.sqrt(np.maximum(square, 0.0)), -np.inf
+            )
         for nose in noses:
             depth = np.where(here, _depths(nose, places, reaches), 0.0)
             depth = np.where(depth < far, depth, 0.0)

@@ -9,7 +9,7 @@ are never chained from a later time.
 from __future__ import annotations
 
 REST, SPIN, ROLL, SLIDE, FAST, GONE, FLY = range(7)
-"""Kinds of motion; FAST is the two-speed model's upper branch, GONE is off the bed, FLY above it."""
+"""Kinds of motion; FAST is the two-speed model's upper branch, GONE is gone, FLY above the bed."""
 
 (T0, END, X, Y, VX, VY, WX, WY, WZ, AX, AY, BX, BY, RADIUS, MASS, REACH, CEASE, Z, VZ) = range(19)
 BALL_WIDTH = 19
@@ -28,7 +28,8 @@ E_KIND, E_TIME, E_FIRST, E_SECOND, E_SPEED = range(5)
 EVENT_WIDTH = 5
 
 TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED, LANDED = (float(kind) for kind in range(7))
-"""Kinds of event: balls collided, nose hit, pocketed, left the table, began rolling, stopped, landed.
+"""Kinds of event: balls collided, nose hit, pocketed, left the table, rolling began, ball stopped,
+ball landed.
 
 Floats, since a kernel is compiled anew for every whole number it is called with.
 """

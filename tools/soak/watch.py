@@ -12,6 +12,7 @@ import tomli_w
 from engine.game.match import start_match
 from engine.game.shot import Shot
 from engine.game.situation import Rest
+from engine.physics import state
 from engine.physics.monitor import examine
 from engine.physics.simulate import EventStormError, simulate
 from engine.records.hash import physics_hash
@@ -104,7 +105,8 @@ def _played(stroke: Stroke, tally: Tally) -> tuple[str, ...]:
 
 def _ends(stroke: Stroke, trace: Trace) -> tuple[str, ...]:
     words = []
-    if len(trace.final) + len(trace.pocketed) != len(stroke.layout):
+    left = int((trace.log[:, state.E_KIND] == state.LEFT).sum())
+    if len(trace.final) + len(trace.pocketed) + left != len(stroke.layout):
         words.append("a ball is neither on the bed nor in a pocket")
     speeds = trace.velocities([trace.duration])[0], trace.spins([trace.duration])[0]
     lying = [i for i, ball in enumerate(trace.balls) if ball.id in trace.final]
