@@ -2,8 +2,8 @@
 
 One idea: the trace is read as it stands, at every event and between them, without asking the
 solver: no ball in another or in a nose, no energy gained (height counts), momentum along the bed
-kept where balls meet, all numbers finite, nobody gone without a pocket or a flight.
-Invariant: reading changes nothing, and a finding is a figure, so that the worst of many shots can be told.
+kept where balls meet, all numbers finite, nobody gone without a pocket or a flight. Invariant:
+reading changes nothing, and a finding is a figure, so that the worst of many shots can be told.
 """
 
 from __future__ import annotations
