@@ -84,7 +84,7 @@ class Models:
     ball_cushion: str = "han-2005"
     strike: str = "point"
     pocket: str = "drop-edge"
-    flight: str = "ballistic"
+    flight: str = "none"
 
 
 MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -95,7 +95,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
         "strike": ("point",),
         "pocket": ("drop-edge",),
-        "flight": ("ballistic", "none"),
+        "flight": ("none", "ballistic"),
     }
 )
 """The names that each field of Models may have."""

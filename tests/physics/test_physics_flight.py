@@ -1,8 +1,10 @@
 """Flight: groups F and G, jumps, landings, over the cushion, pockets from above, soundness."""
 
+from functools import partial
 from math import atan2, degrees, hypot, inf, pi, radians, sqrt
 
 import numpy as np
+import physics_cases
 import pytest
 from physics_cases import (
     ALCIATORE,
@@ -12,7 +14,6 @@ from physics_cases import (
     M,
     R,
     grounded,
-    make_world,
     open_world,
     rack,
     random_layout,
@@ -36,6 +37,8 @@ from engine.physics.pack import packed
 from engine.physics.simulate import Simulation, simulate
 from engine.physics.strike import strike_ball
 from engine.physics.world import Ball, Cloth, Cue, Strike
+
+make_world = partial(physics_cases.make_world, flight="ballistic")
 
 G = 9.81
 JUMP = Strike(4.0, 0.0, radians(45))
