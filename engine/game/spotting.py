@@ -15,7 +15,7 @@ from engine.game.contacts import frozen_pairs
 from engine.game.situation import Rest, Situation, zones_of
 from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
-from engine.table.marks import free_place, nearest_place, nearest_room
+from engine.table.room import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
 from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
 

@@ -1,4 +1,4 @@
-"""Judging places: what lies in a zone, what passes a line, where a ball can be spotted.
+"""Judging places: what lies in a zone and what passes a line.
 
 One idea: a ball is where its centre is, and a centre within `ON` of a line is on the line; every
 question is answered from the exact roots of a distance along the ball's way.
@@ -12,8 +12,9 @@ from itertools import pairwise
 from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
 
+from engine.geometry.vectors import distance, dot
 from engine.table.furniture import Disc, Figure, HalfPlane, Line, Places, Straight
-from engine.table.region import ends, has_room, obstacles, on_bed
+from engine.table.region import ends, on_bed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 ON = 1e-4
 """How near (m) a centre is to a line to be on it."""
 
-FINE = 50
 _ROUND = 1e-12
 Polynomial = tuple[float, ...]
 """Coefficients, the constant first."""
@@ -68,7 +68,7 @@ def contains(zone: Zone, point: Point, table: Table) -> bool:
     in the mouth of a pocket is still on the bed.
     """
     if isinstance(zone, Places):
-        return any(_distance(point, place) <= ON for place in zone.points)
+        return any(distance(point, place) <= ON for place in zone.points)
     if isinstance(zone, Figure):
         depth = zone.margin - _from_figure(zone.corners, point)
         return _on_bed(point, table) and depth + _border(closed=zone.closed) > 0.0
@@ -78,9 +78,9 @@ def contains(zone: Zone, point: Point, table: Table) -> bool:
 def _depth(part: HalfPlane | Disc, point: Point) -> float:
     """Return how deep a point lies in a part, counted from where belonging begins."""
     if isinstance(part, Disc):
-        depth = part.radius - _distance(point, part.centre)
+        depth = part.radius - distance(point, part.centre)
     else:
-        depth = _along(part.normal, (point[0] - part.point[0], point[1] - part.point[1]))
+        depth = dot(part.normal, (point[0] - part.point[0], point[1] - part.point[1]))
         depth /= hypot(*part.normal)
     return depth + _border(closed=part.closed)
 
@@ -91,10 +91,10 @@ def _from_figure(corners: Sequence[Point], point: Point) -> float:
     for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
         side = end[0] - start[0], end[1] - start[1]
         away = point[0] - start[0], point[1] - start[1]
-        far = max(far, _along(_normal(Line(end, start)), away))
-        along = min(max(_along(side, away) / _along(side, side), 0.0), 1.0)
+        far = max(far, dot(_normal(Line(end, start)), away))
+        along = min(max(dot(side, away) / dot(side, side), 0.0), 1.0)
         foot = start[0] + along * side[0], start[1] + along * side[1]
-        near = min(near, _distance(point, foot))
+        near = min(near, distance(point, foot))
     return far if far <= 0.0 else near
 
 
@@ -108,7 +108,7 @@ def _on_bed(point: Point, table: Table) -> bool:
     for pocket in table.pockets:
         (ax, ay), (bx, by) = pocket.mouth
         middle = (ax + bx) / 2, (ay + by) / 2
-        if _distance(point, middle) <= _distance(*pocket.mouth) / 2:
+        if distance(point, middle) <= distance(*pocket.mouth) / 2:
             return True
     return False
 
@@ -123,7 +123,7 @@ def side(line: Line, point: Point) -> int:
 
 def _from_line(line: Line, point: Point) -> float:
     normal = _normal(line)
-    return _along(normal, (point[0] - line.start[0], point[1] - line.start[1]))
+    return dot(normal, (point[0] - line.start[0], point[1] - line.start[1]))
 
 
 def _normal(line: Line) -> Point:
@@ -143,9 +143,9 @@ def crossings(line: Line, pieces: Iterable[Piece]) -> tuple[Crossing, ...]:
     last = 0
     met: tuple[float, Point] | None = None
     for piece in pieces:
-        distance = _distance_along(_normal(line), line.start, piece)
-        for low, high in pairwise(_cuts(piece, (distance,), (0.0, ON, -ON))):
-            if met is None or abs(_value(distance, low)) < _ROUND:
+        across = _distance_along(_normal(line), line.start, piece)
+        for low, high in pairwise(_cuts(piece, (across,), (0.0, ON, -ON))):
+            if met is None or abs(_value(across, low)) < _ROUND:
                 met = piece.begin + low, piece.at(low)
             now = side(line, piece.at((low + high) / 2))
             if now != 0 and last not in (0, now) and _within(line, met[1]):
@@ -156,7 +156,7 @@ def crossings(line: Line, pieces: Iterable[Piece]) -> tuple[Crossing, ...]:
 
 def _within(line: Line, point: Point) -> bool:
     way = line.end[0] - line.start[0], line.end[1] - line.start[1]
-    along = _along(way, (point[0] - line.start[0], point[1] - line.start[1])) / hypot(*way)
+    along = dot(way, (point[0] - line.start[0], point[1] - line.start[1])) / hypot(*way)
     return -ON <= along <= hypot(*way) + ON
 
 
@@ -192,7 +192,7 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
     for pocket in table.pockets:
         (ax, ay), (bx, by) = pocket.mouth
         middle = (ax + bx) / 2, (ay + by) / 2
-        borders.append(_from_centre(middle, _distance(*pocket.mouth) / 2, piece))
+        borders.append(_from_centre(middle, distance(*pocket.mouth) / 2, piece))
     if isinstance(zone, Figure):
         return (*borders, *_figure_borders(zone, piece))
     for part in zone.parts:
@@ -232,9 +232,9 @@ def _outline_borders(table: Table, piece: Piece) -> list[Polynomial]:
 def _distance_along(normal: Point, origin: Point, piece: Piece) -> Polynomial:
     away = piece.position[0] - origin[0], piece.position[1] - origin[1]
     return (
-        _along(normal, away),
-        _along(normal, piece.velocity),
-        _along(normal, piece.acceleration) / 2,
+        dot(normal, away),
+        dot(normal, piece.velocity),
+        dot(normal, piece.acceleration) / 2,
     )
 
 
@@ -318,99 +318,3 @@ def _bisected(polynomial: Polynomial, low: float, high: float) -> float:
         else:
             high = middle
     return high
-
-
-def spot_is_free(
-    point: Point, radius: float, others: Iterable[tuple[Point, float]], gap: float = 0.0
-) -> bool:
-    """Tell whether a ball can stand at `point` with `gap` (m) to each of the others.
-
-    `others` are centres and radii. With no gap, touching is allowed.
-    """
-    return all(_distance(point, other) >= radius + size + gap - 1e-9 for other, size in others)
-
-
-def nearest_place(
-    table: Table,
-    spot: Point,
-    toward: Point,
-    radius: float,
-    others: Iterable[tuple[Point, float]],
-    gap: float = 0.0,
-) -> Point | None:
-    """Return the place nearest to `spot`, on the straight way `toward`, where a ball can stand.
-
-    The ball keeps `gap` (m) to every other ball (centre, radius), lies wholly on the bed and on
-    no post or hole; None where the way to the cushion has no room. Sources: WPA 2025 1.5; WPBSA
-    section 3 rule 7.
-    """
-    long = hypot(*toward)
-    way = toward[0] / long, toward[1] / long
-    covered = sorted(
-        interval
-        for other, reach in (
-            *((other, radius + size + gap) for other, size in others),
-            *obstacles(table, radius),
-        )
-        if (interval := _covered(spot, way, other, reach)) is not None
-    )
-    at = 0.0
-    for low, high in covered:
-        if low + _ROUND < at < high - _ROUND:
-            at = high
-    place = spot[0] + way[0] * at, spot[1] + way[1] * at
-    return place if has_room(table, place, radius) else None
-
-
-def _covered(spot: Point, way: Point, other: Point, reach: float) -> tuple[float, float] | None:
-    """Return the stretch of a way, in metres from the spot, that is nearer than `reach`."""
-    away = other[0] - spot[0], other[1] - spot[1]
-    along, across = _along(way, away), way[0] * away[1] - way[1] * away[0]
-    if abs(across) >= reach - _ROUND:
-        return None
-    half = sqrt(reach * reach - across * across)
-    return along - half, along + half
-
-
-def free_place(
-    table: Table,
-    spot: Point,
-    ways: Sequence[Point],
-    radius: float,
-    others: Sequence[tuple[Point, float]],
-    gap: float = 0.0,
-) -> Point | None:
-    """Return `nearest_place` along the first of `ways` that has room, or None."""
-    for way in ways:
-        place = nearest_place(table, spot, way, radius, others, gap)
-        if place is not None:
-            return place
-    return None
-
-
-def nearest_room(
-    table: Table,
-    spot: Point,
-    radius: float,
-    others: Sequence[tuple[Point, float]],
-    gap: float = 0.0,
-) -> Point | None:
-    """Return the place nearest to `spot` where a ball can stand, off every straight way.
-
-    For beds of any outline; places are looked for on a grid of a fiftieth of the bed.
-    """
-    steps = [k / FINE - 0.5 for k in range(1, FINE)]
-    places = [(a * table.length, b * table.width) for a in steps for b in steps]
-    for place in sorted(places, key=lambda at: _distance(at, spot)):
-        clear = all(_distance(place, at) >= radius + size + gap for at, size in others)
-        if clear and has_room(table, place, radius):
-            return place
-    return None
-
-
-def _along(way: Point, vector: Point) -> float:
-    return way[0] * vector[0] + way[1] * vector[1]
-
-
-def _distance(first: Point, second: Point) -> float:
-    return hypot(first[0] - second[0], first[1] - second[1])

@@ -11,16 +11,8 @@ from hypothesis import strategies as st
 
 from engine.table.build import PocketCut, build_table
 from engine.table.furniture import Area, Disc, HalfPlane, Line, Places
-from engine.table.marks import (
-    Piece,
-    contains,
-    crossings,
-    free_place,
-    nearest_place,
-    side,
-    spot_is_free,
-    zone_changes,
-)
+from engine.table.marks import Piece, contains, crossings, side, zone_changes
+from engine.table.room import free_place, nearest_place, spot_is_free
 
 TABLE = build_table(2.54, 1.27, 0.0363, None, None, 0.12)
 CORNER = PocketCut(0.116, 142 * pi / 180, 0.04, 0.006, 0.065)

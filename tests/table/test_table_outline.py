@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from engine.table.build import PocketCut, build_table
 from engine.table.furniture import Area, Curve, Cushion, CushionId, HalfPlane, PocketId, Straight
-from engine.table.marks import Piece, contains, nearest_place, nearest_room, zone_changes
+from engine.table.marks import Piece, contains, zone_changes
 from engine.table.mouth import length_of, point_along
 from engine.table.outline import Corner, OutlineError, build_outline
 from engine.table.region import (
@@ -25,6 +25,7 @@ from engine.table.region import (
     span_at,
     trace,
 )
+from engine.table.room import nearest_place, nearest_room
 from engine.table.rounding import round_corner
 
 BALL = 0.028575
