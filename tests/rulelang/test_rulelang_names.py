@@ -124,7 +124,6 @@ def test_every_name_parses_in_every_place(sort: str) -> None:
 
 
 def test_the_grammar_has_no_conflict() -> None:
-    pytest.importorskip("interegular")
     assert grammar(strict=True).parse("if cue ball pocketed: respot cue\n")
 
 
