@@ -6,6 +6,7 @@ where, what is racked, put back or on.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from engine.app.trouble import ScriptTrouble
@@ -19,19 +20,44 @@ from engine.app.words import (
     zone_name,
 )
 from engine.game.referee import look_ahead, take_choice
-from engine.game.shot import Shot
+from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
+    from engine.table.furniture import BallId
     from engine.variant.variant import Variant
 
 
-def choice_words(variant: Variant, situation: Situation, option: str) -> str:
+def choosable_balls(variant: Variant, situation: Situation, option: str) -> tuple[BallId, ...]:
+    """Return the balls that an option may be taken with; none where no ball changes it.
+
+    The rules are asked what follows with each of two balls: where that differs, any may be named.
+    """
+    lying = [kind.id for kind in variant.balls if kind.id in situation.rest.positions]
+    cue = cue_ball_of(variant, situation.shooter)
+    lying = [ball for ball in lying if ball != cue]
+    try:
+        first, second = (
+            take_choice(variant, situation, _with_ball(option, ball), explain=False).after.on_table
+            for ball in lying[:2]
+        )
+    except (*ScriptTrouble, ValueError):
+        return ()
+    return tuple(lying) if first != second else ()
+
+
+def _with_ball(option: str, ball: str | None) -> Shot:
+    return Shot(choice=option, call=replace(NO_CALL, ball=ball))
+
+
+def choice_words(
+    variant: Variant, situation: Situation, option: str, ball: str | None = None
+) -> str:
     """Return what follows when an option is taken; empty where the rules cannot tell."""
     try:
-        chosen = take_choice(variant, situation, Shot(choice=option), explain=False)
+        chosen = take_choice(variant, situation, _with_ball(option, ball), explain=False)
         after = chosen.after
         if after.over:
             return capital(result_words(after))
@@ -60,6 +86,10 @@ def _table_words(variant: Variant, before: Situation, chosen: Verdict) -> list[s
         return ["the balls are racked again"]
     back = [ball_name(variant, one.ball) for one in chosen.spotted]
     back = [f"{ball} back on the table" for ball in back]
+    gone = before.on_table - chosen.after.on_table
+    back += [
+        f"{ball_name(variant, kind.id)} off the table" for kind in variant.balls if kind.id in gone
+    ]
     moved = {
         ball
         for ball, at in chosen.after.rest.positions.items()

@@ -98,11 +98,12 @@ def _draw_choices(column: Column, session: Session) -> None:
     inset, pad = pen.px(12), pen.px(5)
     column.line(f"{player_name(session.shown.shooter)}, choose", TEXT, 17, 6)
     for place, option in enumerate(situation.options):
-        words = choice_words(session.variant, situation, option)
+        picked = place == session.picked
+        named = session.call.ball if picked else None
+        words = choice_words(session.variant, situation, option, named)
         about = pen.wrap(words, column.room - 2 * inset, 13) if words else []
         high = pen.line(17) + len(about) * pen.line(13) + 2 * pad
         box = (column.x, column.y, column.room, high)
-        picked = place == session.picked
         fill, edge = ((60, 54, 32), GOLD) if picked else ((36, 40, 48), EDGE)
         pygame.draw.rect(pen.surface, fill, box, border_radius=4)
         pygame.draw.rect(pen.surface, edge, box, 1, border_radius=4)

@@ -125,6 +125,13 @@ class CallNextGroup:
 
 
 @dataclass(frozen=True, slots=True)
+class StrikeNextBall:
+    """Strike the ball `by` places further among those that may be struck."""
+
+    by: int
+
+
+@dataclass(frozen=True, slots=True)
 class Confirm:
     """Accept: the place, the call, the stroke, the verdict."""
 
@@ -183,6 +190,7 @@ Command = (
     | CallPocket
     | CallSafety
     | CallNextGroup
+    | StrikeNextBall
     | Confirm
     | Back
     | Undo

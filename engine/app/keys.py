@@ -73,6 +73,7 @@ BINDINGS: tuple[Binding, ...] = (
         AIMING,
         ordered=True,
     ),
+    Binding("struck", ("k",), "K", "strike another ball, where the rules allow it", AIM),
     Binding("aid", ("t",), "T", "aiming aid: off, line, ghost ball, all paths", AIM),
     Binding("confirm", ("space", "return", "enter"), "Space, Enter", "strike; accept; go on", AIM),
     Binding(

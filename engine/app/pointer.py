@@ -70,7 +70,8 @@ class Pointer:
             self._grip = "cloth"
             if session.mode is Mode.PLACING:
                 return _put(place, screen, session)
-            return _call_there(place, session, screen) if session.mode is Mode.CALLING else []
+            saying = session.mode in (Mode.CALLING, Mode.CHOOSING)
+            return _call_there(place, session, screen) if saying else []
         return []
 
     def _let_go(self, place: Place, session: Session, screen: Screen) -> list[Wish]:

@@ -43,7 +43,8 @@ def _offered(session: Session) -> list[tuple[str, str]]:
     why = ("Why" if session.last_stroke else "", "why")
     match session.mode:
         case Mode.CHOOSING:
-            return [("Take this choice", "confirm"), why, undo, redo]
+            ball = ("Ball" if session.choosable else "", "ball")
+            return [("Take this choice", "confirm"), ball, why, undo, redo]
         case Mode.PLACING:
             return [("Put it down", "confirm"), ("Camera", "camera"), undo, redo]
         case Mode.CALLING:
@@ -62,6 +63,7 @@ def _offered(session: Session) -> list[tuple[str, str]]:
             return [
                 ("Strike", "confirm"),
                 (f"Aid: {session.aid.value}", "aid"),
+                ("Other ball" if len(session.strikable) > 1 else "", "struck"),
                 ("Camera", "camera"),
                 ("Back" if back else "", "back"),
                 undo,
@@ -80,7 +82,8 @@ def hint_of(session: Session) -> str:
     wanted = session.wanted
     match session.mode:
         case Mode.CHOOSING:
-            return "click a choice, or go up and down"
+            named = "; click the ball it is about" if session.choosable else ""
+            return f"click a choice, or go up and down{named}"
         case Mode.PLACING:
             if session.placing and isinstance(session.placing.zone, Places):
                 return "click one of the marked places, or move it with the arrows"

@@ -11,6 +11,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from engine.app import calling, placing
+from engine.app.choices import choosable_balls
 from engine.app.stroke import Stroke, miscue_limit
 from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import ball_to_strike
@@ -60,7 +61,8 @@ class Session:
     """All that a player sees and sets.
 
     `ahead` is the situation that the stroke is played from: the match's own, after the choice.
-    `place` is where the ball in hand is held. `trace` is the last stroke's, shown up to `clock`
+    `struck` is the ball to strike where it is not the usual one. `place` is where the ball in
+    hand is held. `trace` is the last stroke's, shown up to `clock`
     (s, below zero while the cue comes forward), `pace` times as fast as it was; `back_to` is
     where a replay leads back to. `note` is said to the player, `trouble` is the script's, `later`
     holds what was undone.
@@ -73,6 +75,7 @@ class Session:
     stroke: Stroke
     choice: str | None = None
     picked: int = 0
+    struck: BallId | None = None
     place: Point | None = None
     placing: placing.Placing | None = None
     call: Call = NO_CALL
@@ -121,7 +124,15 @@ class Session:
     @property
     def cue_ball(self) -> BallId:
         """The ball that the coming stroke strikes."""
-        return ball_to_strike(self.variant, self.ahead)
+        return self.struck or ball_to_strike(self.variant, self.ahead)
+
+    @property
+    def strikable(self) -> tuple[BallId, ...]:
+        """The balls on the bed that the coming stroke may strike, where there is a choice."""
+        allowed, lying = self.ahead.strikable, self.ahead.rest.positions
+        usual = ball_to_strike(self.variant, self.ahead)
+        found = (ball.id for ball in self.variant.balls if ball.id in allowed or ball.id == usual)
+        return tuple(ball for ball in found if ball in lying) if allowed and not self.place else ()
 
     @property
     def cue_place(self) -> Point | None:
@@ -142,10 +153,19 @@ class Session:
         return calling.wanted_of(self.admission, self.ahead.shooter)
 
     @property
+    def choosable(self) -> tuple[BallId, ...]:
+        """The balls that the choice marked may be taken with, where it is about a ball."""
+        situation = self.match.situation
+        if self.mode is not Mode.CHOOSING:
+            return ()
+        return choosable_balls(self.variant, situation, situation.options[self.picked])
+
+    @property
     def shot(self) -> Shot:
         """The shot as it would be played now."""
         return Shot(
             choice=self.choice,
+            struck=self.struck,
             call=self.call,
             placement=self.place,
             strike=self.stroke.strike(),

@@ -11,7 +11,7 @@ from math import radians
 from typing import TYPE_CHECKING
 
 from engine.app.prediction import Prediction, predict
-from engine.app.session import SWING, Aid, Mode, Session
+from engine.app.session import BEFORE_STROKE, SWING, Aid, Mode, Session
 from engine.app.turning import Turning
 from engine.game.situation import cue_ball_of
 from engine.scene.shape import Disc, Mesh, Polyline
@@ -98,7 +98,8 @@ class Showing:
             last = session.last_stroke
             if last.shot.strike is None:
                 return None
-            ball, strike = cue_ball_of(session.variant, last.before.shooter), last.shot.strike
+            strike = last.shot.strike
+            ball = last.shot.struck or cue_ball_of(session.variant, last.before.shooter)
             place = last.shot.placement or last.before.rest.positions.get(ball)
             share = min(max(-session.clock / SWING, 0.0), 1.0)
             gap = (0.015 + DRAWN_BACK * strike.speed / 12.0) * share
@@ -118,7 +119,7 @@ class Showing:
         )
 
     def _marks(self, session: Session) -> tuple[list[Mesh | Polyline], list[Disc]]:
-        if session.mode not in (Mode.PLACING, Mode.CALLING, Mode.AIMING):
+        if session.mode not in (Mode.CHOOSING, *BEFORE_STROKE):
             return [], []
         aids: list[Mesh | Polyline] = []
         discs: list[Disc] = []

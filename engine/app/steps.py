@@ -12,6 +12,7 @@ from math import hypot, radians
 from typing import TYPE_CHECKING
 
 from engine.app import calling, commands, placing
+from engine.app.choices import choosable_balls
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
 from engine.app.stroke import Stroke, heading_to
 from engine.app.trouble import ScriptTrouble, told
@@ -43,7 +44,8 @@ def _prepare(session: Session) -> Session:
     """Return the session at the first thing to be done before a stroke."""
     ready = placing.placing_of(session.variant, session.ahead)
     place = placing.first_place(ready) if ready else None
-    ahead = replace(session, placing=ready, place=place, call=NO_CALL)
+    kept = session.call if session.choice and session.mode is Mode.CHOOSING else NO_CALL
+    ahead = replace(session, placing=ready, place=place, call=kept, struck=None)
     ahead = replace(
         _look(ahead), stroke=_levelled(session.stroke), mode=Mode.PLACING if ready else Mode.CALLING
     )
@@ -128,24 +130,41 @@ def _set(session: Session, command: commands.Command) -> Session:
             return replace(session, stroke=_aimed(session, command))
         case commands.SetTip() | commands.MoveTip() | commands.SetElevation():
             return replace(session, stroke=_aimed(session, command))
+        case commands.StrikeNextBall(by):
+            return _strike_next(session, by)
         case _:
             return _called(session, command)
 
 
 def _choosing(session: Session, command: commands.Command) -> Session:
-    options = session.match.situation.options
+    situation = session.match.situation
+    options = situation.options
     match command:
         case commands.Pick(by):
-            return replace(session, picked=(session.picked + by) % len(options))
+            picked = (session.picked + by) % len(options)
+            return replace(session, picked=picked, call=NO_CALL)
         case commands.Choose(index) if 0 <= index < len(options):
             return _take(session, options[index])
+        case commands.CallNextBall() | commands.CallBall():
+            return _name_ball(session, command)
     return session
+
+
+def _name_ball(session: Session, command: commands.CallNextBall | commands.CallBall) -> Session:
+    """Return the session with the ball that the choice marked is to be about."""
+    balls = session.choosable
+    if isinstance(command, commands.CallNextBall):
+        return replace(session, call=calling.next_ball(session.call, balls, command.by))
+    known = command.ball in balls
+    return replace(session, call=replace(NO_CALL, ball=command.ball)) if known else session
 
 
 def _take(session: Session, option: str) -> Session:
     """Return the session after a choice: kept for the stroke, or played where it ends the turn."""
     situation = session.match.situation
-    shot = Shot(choice=option)
+    named = session.call.ball in choosable_balls(session.variant, situation, option)
+    call = session.call if named else NO_CALL
+    shot = Shot(choice=option, call=call)
     chosen = take_choice(session.variant, situation, shot)
     after = chosen.after
     settled = (
@@ -155,10 +174,19 @@ def _take(session: Session, option: str) -> Session:
     )
     if not settled:
         ahead = replace(after, offers=())
-        return _prepare(replace(session, choice=option, ahead=ahead, note=""))
+        return _prepare(replace(session, choice=option, call=call, ahead=ahead, note=""))
     match = advance(session.match, shot, chosen)
     begun = begin(match, session.stroke, session.aid)
     return replace(begun, trace=session.trace, note=f"chosen: {option.replace('-', ' ')}")
+
+
+def _strike_next(session: Session, by: int) -> Session:
+    """Return the session with another ball to strike, where the rules leave the choice."""
+    balls = session.strikable
+    if session.mode is not Mode.AIMING or len(balls) < 2:
+        return session
+    struck = balls[(balls.index(session.cue_ball) + by) % len(balls)]
+    return _face_balls(replace(session, struck=struck, note=""))
 
 
 def _move_ball(session: Session, command: commands.MoveBall | commands.PutBall) -> Session:

@@ -46,6 +46,8 @@ def wishes_of(action: str, *, shift: bool = False) -> list[Wish]:
             return [commands.CallNextBall(sign)]
         case "pocket":
             return [commands.CallNextPocket(sign)]
+        case "struck":
+            return [commands.StrikeNextBall(sign)]
         case "replay":
             return [commands.Replay(0.25 if shift else 1.0)]
         case "centre":
