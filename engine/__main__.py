@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from engine.authoring.commands import format_, new, schema
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
@@ -49,11 +51,12 @@ def main() -> None:
 )
 @click.option("--resume", is_flag=True, help="Go on with the match in the journal.")
 def play(variant: str | None, **options: object) -> None:
-    """Play a game in a window. F1 shows the keys."""
+    """Play a game in a window, or choose one on the start screen. F1 shows the keys."""
     from engine.app.play import play as open_window  # noqa: PLC0415
 
-    if variant is None:
-        raise click.UsageError("which game? `python -m engine list` shows them all")
+    needs = ("players", "seed", "journal", "resume")
+    if variant is None and (options["settings"] or any(options[name] for name in needs)):
+        raise click.UsageError("which game is that for? `python -m engine list` shows them all")
     settings = dict(_pair(text) for text in options.pop("settings"))  # type: ignore[attr-defined]
     size = _size(options.pop("size"))
     sys.exit(open_window(variant, settings=settings, size=size, **options))  # type: ignore[arg-type]
@@ -270,6 +273,9 @@ def typed(text: str) -> Value:
         return False
     return int(text) if text.lstrip("-").isdecimal() else text
 
+
+for command in (format_, new, schema):
+    main.add_command(command)
 
 if __name__ == "__main__":
     main()

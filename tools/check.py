@@ -30,6 +30,7 @@ CHECKS = (
     Check("format", (PYTHON, "-m", "ruff", "format", "--check", ".")),
     Check("lint", (PYTHON, "-m", "ruff", "check", ".")),
     Check("variants", (PYTHON, "-m", "engine", "check")),
+    Check("scripts", (PYTHON, "-m", "engine", "format", "--check", "variants")),
     Check("documents", (PYTHON, "-m", "tools.docs", "--check")),
     Check("layers", (PYTHON, "-c", "from importlinter.cli import lint_imports_command as c; c()")),
     Check("types", (PYTHON, "-m", "mypy"), quick=False),
