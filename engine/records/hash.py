@@ -23,11 +23,16 @@ def physics_hash(world: World) -> str:
     return digest.hexdigest()[:16]
 
 
+def _unset(value: object) -> set[str]:
+    """Return the parts that a table without them does not mention."""
+    return {"pins"} if getattr(value, "pins", None) == () else set()
+
+
 def _spell(value: object) -> Iterator[str]:
     if is_dataclass(value):
         yield type(value).__name__
         for one in fields(value):
-            if one.name not in {"spots", "lines", "zones", "rail_width"}:
+            if one.name not in {"spots", "lines", "zones", "rail_width"} | _unset(value):
                 yield one.name
                 yield from _spell(getattr(value, one.name))
     elif isinstance(value, tuple):

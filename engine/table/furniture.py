@@ -76,6 +76,39 @@ class Pocket:
 
 
 @dataclass(frozen=True, slots=True)
+class Pin:
+    """A turned body that stands on the bed at `at` (m) until something fells it.
+
+    `profile` has heights and radii (m) from the foot up, straight in between; `mass` in kg;
+    `restitution` is that of a blow, `friction` that of the fallen pin on the cloth; `threshold`
+    (N s) is the blow that fells it, None where its shape says so.
+    """
+
+    id: PinId
+    at: Point
+    profile: tuple[tuple[float, float], ...]
+    mass: float
+    restitution: float = 0.5
+    friction: float = 0.3
+    threshold: float | None = None
+
+    @property
+    def height(self) -> float:
+        """Return how tall it is, m."""
+        return self.profile[-1][0]
+
+    @property
+    def foot(self) -> float:
+        """Return the radius on which it stands, m."""
+        return self.profile[0][1]
+
+    @property
+    def belly(self) -> float:
+        """Return its greatest radius, m."""
+        return max(radius for _, radius in self.profile)
+
+
+@dataclass(frozen=True, slots=True)
 class Line:
     """A line across the bed from `start` to `end` (m), drawn on the cloth or only thought of."""
 
@@ -151,3 +184,4 @@ class Table:
     zones: Mapping[ZoneId, Zone] = field(default_factory=lambda: MappingProxyType({}))
     rail_width: float = 0.12
     outline: tuple[Shape, ...] = ()
+    pins: tuple[Pin, ...] = ()

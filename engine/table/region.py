@@ -12,6 +12,7 @@ from math import atan2, cos, hypot, isclose, pi, sin, sqrt, tau
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import Curve, Straight
+from engine.table.pin import meeting
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -130,7 +131,7 @@ def on_bed(table: Table, point: Point, slack: float = 0.0) -> bool:
 
 
 def has_room(table: Table, point: Point, radius: float) -> bool:
-    """Tell whether a ball of `radius` (m) can lie at a point, clear of noses, posts and holes."""
+    """Tell whether a ball of `radius` (m) can lie at a point, clear of noses and all bodies."""
     if (
         abs(point[0]) > table.length / 2 - radius + _SLACK
         or abs(point[1]) > table.width / 2 - radius + _SLACK
@@ -147,7 +148,8 @@ def has_room(table: Table, point: Point, radius: float) -> bool:
 def obstacles(table: Table, radius: float) -> list[tuple[Point, float]]:
     """Return what a ball of `radius` (m) cannot lie on: centres, and how far it keeps away."""
     posts = [(post.centre, post.radius + radius) for post in posts_of(table)]
-    return posts + [(p.centre, p.radius) for p in table.pockets if is_hole(p)]
+    pins = [(pin.at, meeting(pin.profile, radius)[0]) for pin in table.pins]
+    return posts + pins + [(p.centre, p.radius) for p in table.pockets if is_hole(p)]
 
 
 def trace(outline: Sequence[Shape], step: float = 0.05) -> list[Point]:

@@ -20,6 +20,7 @@ from engine.variant.ballset import (
     place_of,
 )
 from engine.variant.furnish import Surveyor, furnish
+from engine.variant.pinset import build_pins
 from engine.variant.rack import build_rack, check_own_spots
 from engine.variant.report import nearest
 from engine.variant.variant import Look, Setting
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
     from engine.variant.spec import BallShape, SettingShape, TableShape, VariantSpec
-    from engine.variant.variant import BallKind, Rack
+    from engine.variant.variant import BallKind, PinKind, Rack
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +47,7 @@ class Draft:
     players: tuple[int, int, int]
     settings: Mapping[str, Setting]
     look: Look
+    pins: tuple[PinKind, ...] = ()
 
 
 def assemble(spec: VariantSpec, report: Report) -> Draft | None:
@@ -55,6 +57,7 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     radius = max((body.radius for body in physical), default=spec.balls.diameter / 2)
     surveyor = Surveyor(spec.table, radius, report)
     table = furnish(surveyor)
+    pins, pin_kinds = build_pins(spec, balls, surveyor)
     check_own_spots(balls, surveyor)
     rack = build_rack(spec.rack, balls, physical, surveyor)
     kinds = ball_kinds(balls, report)
@@ -66,11 +69,12 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     models = _models(spec, report)
     if table is None:
         return None
+    table = replace(table, pins=pins)
     world = World(table, physical, _cloth(spec), _contact(spec), _rubber(spec), _cue(spec), models)
     look = Look(
         spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour, spec.table.sights
     )
-    return Draft(spec, world, kinds, cue_balls, rack, players, settings, look)
+    return Draft(spec, world, kinds, cue_balls, rack, players, settings, look, pin_kinds)
 
 
 def _check_names(spec: VariantSpec, balls: Mapping[str, BallShape], report: Report) -> None:

@@ -50,6 +50,8 @@ CODES = MappingProxyType(
         "V413": "a post or hole that has no room on the bed",
         "V414": "an outline that runs clockwise",
         "V415": "an outline whose middle is not the origin",
+        "V416": "a pin that has no room where it stands",
+        "V417": "a pin whose belly is not between foot and head",
         "V501": "numbers of players that contradict each other",
         "V502": "a setting whose default is not among its choices or outside its bounds",
         "V503": "cue balls that do not fit the number of players",

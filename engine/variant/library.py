@@ -16,7 +16,7 @@ from engine.variant.report import nearest
 from engine.variant.source import Node, merge, read_source, read_text
 from rulelang.diagnostics import Diagnostic, render
 
-PARTS = MappingProxyType({"table": "tables", "balls": "balls", "cloth": "cloths"})
+PARTS = MappingProxyType({"table": "tables", "balls": "balls", "pins": "pins", "cloth": "cloths"})
 """The parts that several variants may share, and the folder each lives in."""
 
 _STEM = re.compile(r"(?=.{1,60}$)[a-z0-9]+([-_][a-z0-9]+)*")

@@ -101,6 +101,7 @@ def load_variant(name_or_path: str | Path, cache: Path | None = None) -> Variant
         settings=draft.settings,
         look=draft.look,
         program=program,
+        pins=draft.pins,
     )
 
 

@@ -213,14 +213,14 @@ def _stands_free(table: Table, at: Point, radius: float, path: KeyPath, report: 
         message = f"`{name}` is a cushion or a pocket already"
         report.add("V304", path, message, "name it anew", on_key=True)
         return False
-    taken = _in_the_way(table, at, radius)
+    taken = in_the_way(table, at, radius)
     if taken:
         message = f"`{name}` {taken}"
         report.add("V413", path, message, "move it, or make it smaller", on_key=True)
     return not taken
 
 
-def _in_the_way(table: Table, at: Point, radius: float) -> str:
+def in_the_way(table: Table, at: Point, radius: float) -> str:
     """Return why a round body cannot be there, or nothing."""
     x, y = table.length / 2 - radius, table.width / 2 - radius
     outside = abs(at[0]) > x or abs(at[1]) > y

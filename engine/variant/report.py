@@ -195,7 +195,7 @@ def _known_keys(shape: type[BaseModel], path: KeyPath) -> list[str]:
             model = model.model_fields[str(key)].annotation
     model = _model_in(model)
     variant = shape is VariantSpec
-    extra = ["use"] if variant and path in {("table",), ("balls",), ("cloth",)} else []
+    extra = ["use"] if variant and path in {("table",), ("balls",), ("pins",), ("cloth",)} else []
     extra += ["extends"] if variant and not path else []
     return [*model.model_fields, *extra] if model is not None else extra
 

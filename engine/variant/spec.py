@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
 from engine.variant.fields import (
     Coordinate,
@@ -71,7 +71,31 @@ def _place(written: object) -> object:
     )
 
 
-Point = Annotated[Place, BeforeValidator(_place)]
+_TWO_LENGTHS = {
+    "type": "array",
+    "minItems": 2,
+    "maxItems": 2,
+    "items": {"type": ["number", "string"]},
+}
+_WAYS = {
+    "type": "object",
+    "additionalProperties": False,
+    "properties": {
+        key: {"type": ["string"] if key == "spot" else ["number", "string"]}
+        for key in ("spot", "x", "y", "dx", "dy")
+    },
+    "anyOf": [{"required": ["spot"]}, {"required": ["x", "y"]}],
+}
+Point = Annotated[
+    Place,
+    BeforeValidator(_place),
+    WithJsonSchema(
+        {
+            "anyOf": [{"type": "string"}, _TWO_LENGTHS, _WAYS],
+            "description": "A spot's name, two coordinates, or a spot and a way from it.",
+        }
+    ),
+]
 
 
 class PocketShape(Shape):
@@ -113,7 +137,11 @@ def _names(written: object) -> object:
     return [written] if isinstance(written, str) else written
 
 
-Names = Annotated[list[Name], BeforeValidator(_names)]
+Names = Annotated[
+    list[Name],
+    BeforeValidator(_names),
+    WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}),
+]
 
 
 class DiscShape(Shape):
@@ -165,7 +193,7 @@ def _pair(written: object) -> object:
     raise mistake("V110", "a corner of an outline has two lengths, in a list", mend)
 
 
-Pair = Annotated[tuple[Metres, Metres], BeforeValidator(_pair)]
+Pair = Annotated[tuple[Metres, Metres], BeforeValidator(_pair), WithJsonSchema(_TWO_LENGTHS)]
 
 
 class CornerShape(Shape):
@@ -256,6 +284,37 @@ class BallSet(Shape):
     ball: dict[str, BallShape] = Field(min_length=1)
 
 
+class PinShape(Shape):
+    """Where one pin stands, and how it differs from the set; sizes are diameters."""
+
+    at: Point
+    height: Size | None = None
+    base: Size | None = None
+    belly: Size | None = None
+    head: Size | None = None
+    belly_height: Size | None = None
+    mass: Kilograms | None = None
+    colour: Rgb | None = None
+    topples_at: Factor | None = None
+
+
+class PinSet(Shape):
+    """A set of pins: what all share, and each by its name; sizes are diameters."""
+
+    source: str = ""
+    height: Size
+    base: Size
+    belly: Size
+    head: Size | None = None
+    belly_height: Size | None = None
+    mass: Kilograms
+    colour: Rgb = (238, 230, 205)
+    restitution: Fraction = 0.5
+    friction: Annotated[float, Field(gt=0, le=10)] = 0.3
+    topples_at: Factor | None = None
+    pin: dict[Name, PinShape] = Field(min_length=1)
+
+
 class ClothShape(Shape):
     """Friction of the bed."""
 
@@ -294,6 +353,22 @@ def _players(written: object) -> object:
     return written
 
 
+_HOW_MANY = {
+    "anyOf": [
+        {"type": "integer", "minimum": 1, "maximum": 64},
+        {
+            "type": "object",
+            "additionalProperties": False,
+            "properties": {
+                key: {"type": "integer", "minimum": 1, "maximum": 64}
+                for key in ("fewest", "most", "usual")
+            },
+        },
+    ],
+    "description": "How many play.",
+}
+
+
 def _value(written: object) -> object:
     if isinstance(written, bool | int | str):
         return written
@@ -302,7 +377,11 @@ def _value(written: object) -> object:
     )
 
 
-Value = Annotated[bool | int | str, BeforeValidator(_value)]
+Value = Annotated[
+    bool | int | str,
+    BeforeValidator(_value),
+    WithJsonSchema({"type": ["boolean", "integer", "string"]}),
+]
 
 
 class SettingShape(Shape):
@@ -355,10 +434,11 @@ class VariantSpec(Shape):
     rules: Stem | None = None
     table: TableShape
     balls: BallSet
+    pins: PinSet | None = None
     cloth: ClothShape
     cue: CueShape
     models: ModelNames = ModelNames()
-    players: Annotated[Players, BeforeValidator(_players)]
+    players: Annotated[Players, BeforeValidator(_players), WithJsonSchema(_HOW_MANY)]
     cue_balls: Annotated[list[str], Field(min_length=1, max_length=64)]
     rack: RackShape = RackShape()
     settings: dict[Name, SettingShape] = {}

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from engine.physics.world import World
-    from engine.table.furniture import BallId, Point, SpotId
+    from engine.table.furniture import BallId, PinId, Point, SpotId
     from rulelang.program import Program
 
 Colour = tuple[int, int, int]
@@ -38,6 +38,14 @@ class BallKind:
     value: int = 0
     groups: tuple[str, ...] = ()
     spot: SpotId | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PinKind:
+    """A pin as the eye knows it; its body stands on the Table."""
+
+    id: PinId
+    colour: Colour
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,3 +116,4 @@ class Variant:
     settings: Mapping[str, Setting]
     look: Look
     program: Program
+    pins: tuple[PinKind, ...] = ()

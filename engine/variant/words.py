@@ -30,6 +30,7 @@ def vocabulary_of(variant: Variant | Draft) -> Vocabulary:
         lines=tuple(table.lines),
         zones=tuple(table.zones),
         spots=tuple(table.spots),
+        pins=tuple(pin.id for pin in table.pins),
         settings=MappingProxyType(settings),
         players=variant.players[:2],
     )

@@ -17,6 +17,7 @@ from rulelang.diagnostics import render
 PAGE = (Path(__file__).parents[2] / "docs" / "variants.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"```toml (\w+)\n(.*?)```", PAGE, re.DOTALL)
 PARTS = {"table": ("tables", "wpa-9ft"), "balls": ("balls", "pool"), "cloth": ("cloths", None)}
+PARTS |= {"pins": ("pins", None)}
 BASE = {
     "title": '"Example"',
     "rulebook": '"House rules"',
@@ -54,7 +55,7 @@ def test_every_example_is_read_without_a_mistake(tmp_path, kind, text):
 
 
 def test_the_page_has_an_example_of_every_kind():
-    assert {kind for kind, _ in EXAMPLES} == {"variant", "extra", "table", "balls", "cloth"}
+    assert {kind for kind, _ in EXAMPLES} == {"variant", "extra", "table", "balls", "pins", "cloth"}
 
 
 def test_the_page_lists_every_code_with_its_meaning():
