@@ -1,14 +1,17 @@
 """Documents that are made from the program: `python -m tools.docs` writes, `--check` compares.
 
 One idea: a document holds marked blocks, `<!-- made: NAME -->` to `<!-- end -->`; each block is
-made anew by one function, so that what can be wrong is never written by hand.
+made anew by one function, so that what can be wrong is never written by hand. Files that are made
+as a whole, such as schemas, are treated alike.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import re
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -109,6 +112,19 @@ MAKERS: Mapping[str, Callable[[], str]] = {
 }
 
 
+def _schema(kind: str) -> str:
+    from engine.authoring.schema import schema_of  # noqa: PLC0415
+
+    return json.dumps(schema_of(kind), indent=1) + "\n"
+
+
+def files() -> Mapping[str, Callable[[], str]]:
+    """Return whole files that are made, by their place in the project."""
+    from engine.authoring.schema import KINDS  # noqa: PLC0415
+
+    return {f"variants/schema/{kind}.json": partial(_schema, kind) for kind in KINDS}
+
+
 def remade(text: str) -> str:
     """Return a document with every marked block made anew."""
     return BLOCK.sub(lambda found: found[1] + MAKERS[found[2]]() + found[3], text)
@@ -129,6 +145,15 @@ def main() -> int:
             stale.append(path.relative_to(ROOT))
             if not check:
                 path.write_text(fresh, encoding="utf-8")
+    for name, make in files().items():
+        path = ROOT / name
+        fresh = make()
+        if path.exists() and path.read_text(encoding="utf-8") == fresh:
+            continue
+        stale.append(path.relative_to(ROOT))
+        if not check:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(fresh, encoding="utf-8")
     for path in stale:
         print(f"{path}: {'stale, run python -m tools.docs' if check else 'written'}")
     return int(check and bool(stale))
