@@ -112,7 +112,8 @@ def new(name: str | None, base: str | None, *, extends: bool, list_: bool) -> No
 def schema(kind: str | None) -> None:
     """Print the JSON Schema of variant files.
 
-    KIND is `variant`, or a part that variants share, such as `table`. An editor that knows TOML checks and completes a file whose first line is `#:schema PATH`.
+    KIND is `variant`, or a part that variants share, such as `table`. An editor that knows TOML
+    checks and completes a file whose first line is `#:schema PATH`.
     """
     from engine.authoring.schema import KINDS, schema_of  # noqa: PLC0415
 

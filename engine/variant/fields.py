@@ -10,7 +10,7 @@ import math
 import re
 from typing import Annotated
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from engine.variant.quantity import (
@@ -112,7 +112,32 @@ def _opening(value: float) -> float:
     return value
 
 
-Metres = Annotated[float, BeforeValidator(lambda written: _quantity(LENGTH, written))]
+def _written(noun: str, units: str, reckoned: str = "") -> WithJsonSchema:
+    """Return what an editor is told of a quantity: a number, or a text with a unit."""
+    text = {"type": "string", "maxLength": 120, "pattern": rf"({units})\b{reckoned}|^[ 0.+-]*0$|°"}
+    number = {"type": "number", "minimum": -1e6, "maximum": 1e6}
+    return WithJsonSchema({"anyOf": [number, text], "description": f"{noun}."})
+
+
+_A_LENGTH = _written(
+    'A length, such as "57.15 mm"; a plain number is metres', "m|cm|mm|in|inch|inches|ft"
+)
+_A_COORDINATE = _written(
+    'A length, which may be reckoned with L, W and R: "-L/4", "2 R + 1 mm"',
+    "m|cm|mm|in|inch|inches|ft",
+    r"|\b[LWR]\b",
+)
+_A_MASS = _written('A mass, such as "170 g"; a plain number is kilograms', "kg|g|oz|lb")
+_AN_ANGLE = _written('An angle, such as "142 deg"; a plain number is radians', "rad|deg")
+_A_NAME = WithJsonSchema(
+    {"type": "string", "pattern": f"^{_KEBAB.pattern}$", "maxLength": _LONGEST_NAME}
+)
+_A_STEM = WithJsonSchema(
+    {"type": "string", "pattern": f"^{_STEM.pattern}$", "maxLength": _LONGEST_NAME}
+)
+_A_COLOUR = WithJsonSchema({"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"})
+
+Metres = Annotated[float, BeforeValidator(lambda written: _quantity(LENGTH, written)), _A_LENGTH]
 Size = Annotated[Metres, AfterValidator(_above_zero), AfterValidator(_of_a_room)]
 Gap = Annotated[Metres, AfterValidator(_not_below_zero)]
 Kilograms = Annotated[
@@ -120,12 +145,13 @@ Kilograms = Annotated[
     BeforeValidator(lambda written: _quantity(MASS, written)),
     AfterValidator(_above_zero),
     AfterValidator(_of_a_hand),
+    _A_MASS,
 ]
-Radians = Annotated[float, BeforeValidator(lambda written: _quantity(ANGLE, written))]
+Radians = Annotated[float, BeforeValidator(lambda written: _quantity(ANGLE, written)), _AN_ANGLE]
 Cut = Annotated[Radians, AfterValidator(_opening)]
-Coordinate = Annotated[Expression, BeforeValidator(_expression)]
-Name = Annotated[str, AfterValidator(_kebab)]
-Stem = Annotated[str, AfterValidator(_stem)]
-Rgb = Annotated[tuple[int, int, int], BeforeValidator(_colour)]
+Coordinate = Annotated[Expression, BeforeValidator(_expression), _A_COORDINATE]
+Name = Annotated[str, AfterValidator(_kebab), _A_NAME]
+Stem = Annotated[str, AfterValidator(_stem), _A_STEM]
+Rgb = Annotated[tuple[int, int, int], BeforeValidator(_colour), _A_COLOUR]
 Fraction = Annotated[float, Field(ge=0, le=1)]
 Factor = Annotated[float, Field(ge=0, le=1000)]
