@@ -113,6 +113,12 @@ def _remove(x: Reader, node: s.RemoveBalls) -> Act:
     return lambda c: ("remove", balls(c))
 
 
+def _set_up(x: Reader, node: s.SetUpPins) -> Act:
+    pins = x.value(node.pins, k.BALLS).run
+    up = x.scope.pins
+    return lambda c: ("set up", pins(c) & up)
+
+
 def _rerack(x: Reader, node: s.RackAgain) -> Act:
     keeping = (lambda _c: 0) if node.keeping is None else x.value(node.keeping, k.BALLS).run
     return lambda c: ("rerack", keeping(c))
@@ -175,6 +181,7 @@ ACTIONS: dict[type, Callable[[Reader, Any], Act]] = {
     s.GoToPhase: _go_to_phase,
     s.SpotBalls: _spot,
     s.RemoveBalls: _remove,
+    s.SetUpPins: _set_up,
     s.RackAgain: _rerack,
     s.RestoreTable: lambda _x, _n: lambda _c: ("restore",),
     s.GiveInHand: _give,

@@ -95,6 +95,8 @@ class Conditions:
         match test.word:
             case "on table":
                 return Code(k.BALLS, self.x.on_table())
+            case "standing":
+                return Code(k.BALLS, self.x.standing())
             case "in":
                 zone = self.x.scope.place("zone", test.place or "", test.at)
                 return Code(k.BALLS, lambda c: lie_in(c, zone, start=frozen))

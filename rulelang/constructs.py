@@ -36,6 +36,7 @@ CONSTRUCTS = Constructs(
         s.ScoreGap: counting.gap,
         s.Listing: nouns.listing,
         s.OnTable: nouns.narrowed,
+        s.Standing: nouns.standing,
         s.Extreme: nouns.extreme,
         s.Except: nouns.except_,
         s.Quantified: nouns.quantified,

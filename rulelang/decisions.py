@@ -67,7 +67,14 @@ class Restore:
     """Put the whole position back as it was before the stroke."""
 
 
-TableAction = Spot | Remove | Rerack | Restore
+@dataclass(frozen=True, slots=True)
+class SetUp:
+    """Set pins up again; one whose place a ball takes waits until it is set up the next time."""
+
+    pins: tuple[str, ...]
+
+
+TableAction = Spot | Remove | SetUp | Rerack | Restore
 
 
 @dataclass(frozen=True, slots=True)

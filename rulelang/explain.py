@@ -183,6 +183,8 @@ def _said(c: Watch, decision: tuple[Any, ...]) -> str:
             return f"go to phase {rest[0]}"
         case "spot" | "remove":
             return f"{tag} " + ", ".join(sorted(names_of(c, rest[0])))
+        case "set up":
+            return "set up " + ", ".join(sorted(names_of(c, rest[0])))
         case "hand":
             return f"player {rest[0]} has the cue ball in hand in {rest[1]}"
         case "offer":

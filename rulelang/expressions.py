@@ -116,6 +116,12 @@ class Expressions:
             return lambda c: c.on_before
         return lambda c: c.on_after
 
+    def standing(self) -> Callable[[Watch], int]:
+        """Return the closure for the pins that stand, before or after the shot."""
+        if self.frozen:
+            return lambda c: c.up_before
+        return lambda c: c.up_after
+
     def after_shot(self, node: s.Expr, words: str) -> None:
         """Raise R409 where `words` is read before there is a shot."""
         if self.frozen:

@@ -27,7 +27,8 @@ class Situation:
     """The game before a shot.
 
     `frozen` holds pairs (ball, ball) and (ball, "cushion NAME"); `zones` says in which zones
-    a ball stands; `in_hand` is the zone that the shooter's cue ball is in hand in.
+    a ball stands; `fallen` are the pins that do not stand; `in_hand` is the zone that the
+    shooter's cue ball is in hand in.
     `eliminated` are players out of the game. `options` may be chosen from before this shot.
     `seed` is where all chance comes from.
     """
@@ -42,6 +43,7 @@ class Situation:
     in_hand: str | None = None
     zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
     frozen: frozenset[tuple[str, str]] = frozenset()
+    fallen: frozenset[str] = frozenset()
     options: tuple[str, ...] = ()
     breaker: int = 1
     eliminated: frozenset[int] = frozenset()

@@ -125,6 +125,13 @@ def narrowed(x: Expressions, node: s.OnTable) -> Code:
     return joined(Code(k.BALLS, lambda c: run(c) & on(c)), base)
 
 
+def standing(x: Expressions, node: s.Standing) -> Code:
+    """Compile `PINS standing`."""
+    base = x.want(node.base, k.BALLS)
+    run, up = base.run, x.standing()
+    return joined(Code(k.BALLS, lambda c: run(c) & up(c)), base)
+
+
 def quantified(x: Expressions, node: s.Quantified) -> Code:
     """Compile a quantified set that stands alone: it is true by how many there are."""
     base = x.want(node.base, k.BALLS)

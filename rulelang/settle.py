@@ -17,6 +17,7 @@ from rulelang.decisions import (
     Remove,
     Rerack,
     Restore,
+    SetUp,
     Spot,
     TableAction,
 )
@@ -154,7 +155,7 @@ def table_actions(program: Program, fired: Fired, c: Watch) -> tuple[TableAction
     if not fired:
         return ()
     spots: dict[int, tuple[Any, CompiledRule]] = {}
-    removed, kept = 0, 0
+    removed, kept, stood = 0, 0, 0
     rerack = restore = False
     for rule, made in fired:
         for d in made:
@@ -162,6 +163,8 @@ def table_actions(program: Program, fired: Fired, c: Watch) -> tuple[TableAction
                 _add_spots(spots, d, rule)
             elif d[0] == "remove":
                 removed |= d[1]
+            elif d[0] == "set up":
+                stood |= d[1]
             elif d[0] == "rerack":
                 rerack, kept = True, kept | d[1]
             elif d[0] == "restore":
@@ -175,6 +178,8 @@ def table_actions(program: Program, fired: Fired, c: Watch) -> tuple[TableAction
         for bit in _in_order(program, spots, c)
         if not rerack or bit & kept
     )
+    if stood:
+        actions.append(SetUp(tuple(names[bit] for bit in singles(stood))))
     if rerack:
         actions.append(Rerack(tuple(names[bit] for bit in singles(kept))))
     return tuple(actions)

@@ -33,6 +33,7 @@ SECTION_OF: dict[type, str] = {
     s.SpotBalls: "table",
     s.RemoveBalls: "table",
     s.RackAgain: "table",
+    s.SetUpPins: "table",
     s.RestoreTable: "table",
     s.GiveInHand: "next shot",
     s.OfferChoices: "next shot",

@@ -44,7 +44,7 @@ class Watch:
         "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
         "players", "scores", "seen", "shooter", "shot", "situation", "stage",
-        "state", "stroke", "values",
+        "state", "stroke", "up_after", "up_before", "values",
     )  # fmt: skip
 
     def __init__(
@@ -82,6 +82,10 @@ class Watch:
             mask |= bits[name]
         self.on_before = mask
         self.on_after = mask
+        standing = ~balls & (1 << len(bits)) - 1
+        for name in situation.fallen:
+            standing &= ~bits[name]
+        self.up_before = self.up_after = standing
         self.ev: list[list[tuple[int, int, Any]]] = [[] for _ in range(28)]
         self.seen = [0] * 28
         self.cue_hits: list[tuple[int, int]] = []
@@ -110,6 +114,7 @@ class Watch:
         self._sum_up(index)
         seen = self.seen
         self.on_after = self.on_before & ~(seen[POCKETED] | seen[LEFT_TABLE])
+        self.up_after = self.up_before & ~(seen[FELL] | seen[LEANED])
         self.stroke = not seen[OMITTED]
 
     def _sum_up(self, index: _Index) -> None:

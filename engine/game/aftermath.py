@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING
 
 from engine.game.contacts import frozen_pairs
 from engine.game.situation import Rest, Situation, zones_of
-from engine.table.furniture import BallId, ZoneId
+from engine.table.furniture import BallId, PinId, ZoneId
 from rulelang.events import (
     Event,
     LeftTable,
+    PinLeaned,
+    PinToppled,
     Pocketed,
     Rebounded,
     Settled,
@@ -48,6 +50,13 @@ def fallen(events: Iterable[Event], settled_within: float) -> frozenset[BallId]:
     return frozenset(down)
 
 
+def pins_down(events: Iterable[Event]) -> frozenset[PinId]:
+    """Return the pins that a stroke's events made fall, those that lean on a ball too."""
+    return frozenset(
+        PinId(event.pin) for event in events if isinstance(event, PinToppled | PinLeaned)
+    )
+
+
 def moved(events: Iterable[Event]) -> frozenset[BallId]:
     """Return every ball that an event names."""
     found: set[BallId] = set()
@@ -75,6 +84,7 @@ def rest_after(variant: Variant, before: Situation, shot: Shot, down: frozenset[
         zones={**zones, **told.zones},
         frozen=told.frozen | kept | frozen_pairs(variant.world, positions),
         covered={**_unmoved_covers(before, stirred), **told.covered},
+        fallen=before.rest.fallen | pins_down(events),
     )
 
 

@@ -17,7 +17,7 @@ from engine.table.marks import contains
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from engine.table.furniture import BallId, Point, SpotId, Table, ZoneId
+    from engine.table.furniture import BallId, PinId, Point, SpotId, Table, ZoneId
     from engine.variant.variant import Value, Variant
     from rulelang.decisions import Offer
     from rulelang.vocabulary import Tracked
@@ -39,13 +39,15 @@ class Rest:
     """What is known of the balls at rest, as far as it is known.
 
     `positions` in metres; `zones` the zones that a ball stands in; `frozen` who touches whom;
-    `covered` the spots on which no ball can be put, by the ball that stands there.
+    `covered` the spots on which no ball can be put, by the ball that stands there; `fallen` the
+    pins that do not stand.
     """
 
     positions: Mapping[BallId, Point] = field(default_factory=empty)
     zones: Mapping[BallId, frozenset[ZoneId]] = field(default_factory=empty)
     frozen: frozenset[Pair] = frozenset()
     covered: Mapping[SpotId, BallId] = field(default_factory=empty)
+    fallen: frozenset[PinId] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +134,7 @@ def as_rules_see(situation: Situation) -> said.Situation:
         in_hand=situation.in_hand,
         zones={ball: frozenset(zones) for ball, zones in situation.rest.zones.items()},
         frozen=situation.rest.frozen,
+        fallen=frozenset(situation.rest.fallen),
         options=situation.options,
         breaker=situation.breaker,
         eliminated=situation.eliminated,

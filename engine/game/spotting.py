@@ -17,13 +17,13 @@ from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
 from engine.table.room import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
-from rulelang.decisions import Place, Remove, Rerack, Restore, Spot, TableAction
+from rulelang.decisions import Place, Remove, Rerack, Restore, SetUp, Spot, TableAction
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from engine.physics.world import Layout
-    from engine.table.furniture import Point
+    from engine.table.furniture import Pin, Point
     from engine.variant.variant import Variant
 
 GAP = 1e-4
@@ -60,6 +60,8 @@ def carry_out(
                 board = _spot(variant, board, action, homes)
             case Remove(ball):
                 board = _remove(board, BallId(ball))
+            case SetUp(pins):
+                board = replace(board, rest=set_up(variant, board.rest, frozenset(pins)))
             case Rerack(keeping):
                 board = _rerack(variant, board, frozenset(map(BallId, keeping)), before)
             case Restore():
@@ -69,7 +71,8 @@ def carry_out(
 
 def lift(rest: Rest, balls: frozenset[BallId]) -> Rest:
     """Return what lies where after `balls` were taken up."""
-    return Rest(
+    return replace(
+        rest,
         positions={ball: at for ball, at in rest.positions.items() if ball not in balls},
         zones={ball: zones for ball, zones in rest.zones.items() if ball not in balls},
         frozen=frozenset(pair for pair in rest.frozen if not balls & set(pair)),
@@ -88,6 +91,20 @@ def place_ball(variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
         zones={**lifted.zones, ball: zones_of(variant.world.table, at)},
         frozen=lifted.frozen | touching,
     )
+
+
+def set_up(variant: Variant, rest: Rest, pins: frozenset[str]) -> Rest:
+    """Return what lies where after `pins` were set up; one without air to every ball waits."""
+    radii = {one.id: one.radius for one in variant.world.balls}
+
+    def has_air(pin: Pin) -> bool:
+        x, y = pin.at
+        return all(
+            hypot(u - x, v - y) > radii[ball] + pin.belly for ball, (u, v) in rest.positions.items()
+        )
+
+    waiting = {pin.id for pin in variant.world.table.pins if pin.id in pins and not has_air(pin)}
+    return replace(rest, fallen=(rest.fallen - pins) | (rest.fallen & waiting))
 
 
 def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, Point]) -> Rest:

@@ -147,6 +147,8 @@ def _test(node: Any) -> s.Test:
     match word:
         case "state_on_table":
             return s.Test(at, "on table")
+        case "state_standing":
+            return s.Test(at, "standing")
         case "state_in_hand":
             return s.Test(at, "in hand", place=named(child))
         case "state_in":
@@ -198,6 +200,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "quantified": _quantified,
     "except_": lambda n: s.Except(span(n), expression(n.children[0]), expression(n.children[1])),
     "on_table": lambda n: s.OnTable(span(n), expression(n.children[0])),
+    "standing": lambda n: s.Standing(span(n), expression(n.children[0])),
     "extreme_of": _extreme,
     "extreme_on_table": _extreme,
     "name_noun": lambda n: s.Name(span(n), str(n.children[0])),

@@ -129,6 +129,7 @@ _STATEMENTS: dict[str, Callable[[Any], s.Statement]] = {
     "spot": _spot,
     "respot": _respot,
     "remove": lambda n: s.RemoveBalls(span(n), expression(n.children[0])),
+    "set_up": lambda n: s.SetUpPins(span(n), expression(n.children[0])),
     "rerack": lambda n: s.RackAgain(span(n), maybe(n.children[0])),
     "restore": lambda n: s.RestoreTable(span(n)),
     "give": lambda n: s.GiveInHand(span(n), expression(n.children[0]), named(n.children[1])),

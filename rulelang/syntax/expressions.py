@@ -114,6 +114,14 @@ class OnTable:
 
 
 @dataclass(frozen=True, slots=True)
+class Standing:
+    """The pins of a set that stand."""
+
+    at: Span
+    base: Expr
+
+
+@dataclass(frozen=True, slots=True)
 class Extreme:
     """The ball of highest or lowest value in a set."""
 
@@ -220,6 +228,6 @@ class Sequence:
 
 Expr = (
     Number | Flag | Nothing | Name | NameOf | BallNumber | Noun | Called | Player | OpponentOf
-    | CueBallOf | ScoreOf | ScoreGap | Listing | OnTable | Extreme | Except | Quantified
+    | CueBallOf | ScoreOf | ScoreGap | Listing | OnTable | Standing | Extreme | Except | Quantified
     | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
 )  # fmt: skip

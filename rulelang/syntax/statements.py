@@ -81,6 +81,12 @@ class RemoveBalls:
 
 
 @dataclass(frozen=True, slots=True)
+class SetUpPins:
+    at: Span
+    pins: Expr
+
+
+@dataclass(frozen=True, slots=True)
 class RackAgain:
     at: Span
     keeping: Expr | None
@@ -180,8 +186,8 @@ class OfferChoices:
 
 
 Action = (
-    Foul | Award | Write | Turn | GoToPhase | SpotBalls | RemoveBalls | RackAgain | RestoreTable
-    | GiveInHand | Require | AllowStrike | Win | Seat | Plays | NothingHappens
+    Foul | Award | Write | Turn | GoToPhase | SpotBalls | RemoveBalls | SetUpPins | RackAgain
+    | RestoreTable | GiveInHand | Require | AllowStrike | Win | Seat | Plays | NothingHappens
 )  # fmt: skip
 Statement = Action | If | ForEach | OfferChoices
 
