@@ -21,6 +21,7 @@ from engine.stage.cushions import build_cushions
 from engine.stage.dimensions import measure
 from engine.stage.rails import build_rails
 from engine.stage.skin import facing, paint_skin
+from engine.stage.skittles import Skittles, build_skittles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -32,8 +33,9 @@ if TYPE_CHECKING:
     from engine.scene.camera import Camera, Vector
     from engine.scene.shape import Rgb
     from engine.stage.dimensions import Frame
-    from engine.table.furniture import BallId, Table
-    from engine.variant.variant import BallKind, Look, Variant
+    from engine.table.furniture import BallId, PinId, Table
+    from engine.table.pin import Stance
+    from engine.variant.variant import BallKind, Look, PinKind, Variant
 
 LAMP_HEIGHT = 0.95
 LAMP_SPACING = 1.3
@@ -54,6 +56,7 @@ class Stage:
     cue: tuple[Mesh, ...]
     lamps: tuple[Light, ...]
     spots: tuple[Disc, ...]
+    pins: Skittles
 
     def scene(
         self,
@@ -64,11 +67,13 @@ class Stage:
         cue: CuePose | None = None,
         aids: Sequence[Mesh | Polyline] = (),
         discs: Sequence[Disc] = (),
+        pins: Mapping[PinId, Stance] | None = None,
     ) -> Scene:
         """Return the scene with balls at `positions` (m, their centres) seen by `camera`.
 
         `orientations` are (3, 3) from each ball's own frame to the world's; a ball without one
         shows its label. `aids` are lines and tints on the cloth, `discs` further flat marks.
+        `pins` are those on the table, standing or lying; all stand where nothing is said.
         """
         turned = orientations or {}
         rest = _REST
@@ -81,6 +86,8 @@ class Stage:
         if aids:
             objects.append(GameObject(tuple(aids)))
         objects += balls
+        shown = self.pins.upright if pins is None else pins
+        objects += self.pins.objects(shown, camera.eye)
         if cue is not None:
             objects.append(place_cue(self.cue, cue))
         return Scene(
@@ -93,7 +100,8 @@ class Stage:
                 shadow
                 for ball, place in positions.items()
                 for shadow in self._shadows(place, self.spheres[ball].radius)
-            ),
+            )
+            + self.pins.shadows(shown, self.lamps),
         )
 
     def _shadows(self, place: Vector, radius: float) -> list[Disc]:
@@ -121,11 +129,18 @@ _REST = facing()
 
 def build_stage(variant: Variant) -> Stage:
     """Return the stage of a variant, built once."""
-    return stage_of(variant.world.table, variant.world.balls, variant.balls, variant.look)
+    world = variant.world
+    return stage_of(world.table, world.balls, variant.balls, variant.look, variant.pins)
 
 
-def stage_of(table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], look: Look) -> Stage:
-    """Return the stage of a table with balls of these bodies and kinds."""
+def stage_of(
+    table: Table,
+    bodies: Sequence[Ball],
+    kinds: Sequence[BallKind],
+    look: Look,
+    pins: Sequence[PinKind] = (),
+) -> Stage:
+    """Return the stage of a table with balls of these bodies and kinds, and its pins."""
     frame = measure(table)
     radii = {body.id: body.radius for body in bodies}
     spheres = {
@@ -141,6 +156,7 @@ def stage_of(table: Table, bodies: Sequence[Ball], kinds: Sequence[BallKind], lo
         cue=cue_meshes(),
         lamps=_lamps(table),
         spots=marks.build_spots(table, CHALK),
+        pins=build_skittles(table, pins),
     )
 
 

@@ -26,6 +26,15 @@ _GAUSS = ((-sqrt(0.6), 5.0 / 9.0), (0.0, 8.0 / 9.0), (sqrt(0.6), 5.0 / 9.0))
 
 
 @dataclass(frozen=True, slots=True)
+class Stance:
+    """How a pin stands or lies: where its foot is (m), and its tilt (rad) along `way`."""
+
+    foot: Point
+    way: Point = (1.0, 0.0)
+    tilt: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Solid:
     """Height of the centre of mass (m), and the inertia about a level axis there over the mass."""
 
@@ -89,4 +98,4 @@ def _square(a: Point, b: Point) -> float:
     return (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2
 
 
-__all__ = ["AIR", "Solid", "meeting", "solid_of", "standing"]
+__all__ = ["AIR", "Solid", "Stance", "meeting", "solid_of", "standing"]
