@@ -17,11 +17,16 @@ TABLES = ("physics", "rules", "render")
 def main() -> int:
     """Print one table, or with --json one list of its rows."""
     parser = argparse.ArgumentParser(prog="python -m tools.bench", description=__doc__)
-    parser.add_argument("table", choices=TABLES)
-    parser.add_argument("--json", action="store_true", help="print a JSON list")
+    tables = parser.add_subparsers(dest="table", required=True)
+    for name in TABLES:
+        one = tables.add_parser(name, help=f"the table of {name}")
+        one.add_argument("--json", action="store_true", help="print a JSON list")
+        if name == "physics":
+            import_module("tools.bench.physics").add_options(one)
     chosen = parser.parse_args()
+    make = import_module(f"tools.bench.{chosen.table}").rows
     rows: list[dict[str, object]] = []
-    for row in import_module(f"tools.bench.{chosen.table}").rows():
+    for row in make(chosen) if chosen.table == "physics" else make():
         if not chosen.json:
             if not rows:
                 print("  ".join(f"{name:>{_width(name)}}" for name in row))
@@ -33,7 +38,7 @@ def main() -> int:
 
 
 def _width(name: str) -> int:
-    return 44 if name == "work" else 10
+    return 60 if name == "work" else 10
 
 
 if __name__ == "__main__":

@@ -1,110 +1,213 @@
-"""How fast strokes are simulated: opening breaks and small shots, medians and the slowest.
+"""How fast shots are simulated, beside the goals and, on request, beside the open peer.
 
-One idea: the work is strokes of the shipped games, each a little turned so that none is special;
-`times_small` is the median over that of the smallest row, a ratio that a slow machine keeps.
+One idea: what is timed is `simulate` as a user calls it, from layout and strike to a trace, in
+processor time of one thread; `times_small` is the median over that of the two-ball stroke, a ratio
+that a slow machine keeps. Invariant: all rows of a table, the peer's too, are from one run.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
-from time import perf_counter
+from time import perf_counter, thread_time
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.game.placing import opening_layout
+from engine.physics.batch import simulate_batch
 from engine.physics.simulate import simulate, warm_up
-from engine.physics.world import Strike
-from engine.variant.load import load_variant
+from tools.bench.peer import PeerMissingError, ask_peer, first_shot
+from tools.bench.process import measure_starts
+from tools.bench.shots import Work, breaks, crowds, few, random_breaks
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Iterator
 
     from engine.physics.trace import Trace
-    from engine.physics.world import Layout
-    from engine.variant.variant import Variant
+    from tools.bench.peer import Played
+    from tools.bench.process import Spent
 
 SHOTS = 60
-GAPS = 5.7e-5
-"""Balls of a loosened rack stand up to this far (m) from each other."""
+PEER_SHOTS = 9
+AGAIN = 20
+"""The slowest of many are timed again, since one time in many is the machine's and not ours."""
+
+Row = dict[str, object]
 
 
-def rows() -> Iterator[dict[str, object]]:
-    """Yield a row for each kind of work; times in ms a stroke."""
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Name the options of this table."""
+    parser.add_argument("--peer-python", metavar="PATH", help="an interpreter that has pooltool")
+    parser.add_argument("--breaks", type=int, default=0, metavar="N", help="of N random breaks")
+    parser.add_argument("--batch", type=int, default=0, metavar="N", help="N shots on 1, 2 workers")
+    parser.add_argument("--no-starts", action="store_true", help="start no processes")
+
+
+def rows(chosen: argparse.Namespace) -> Iterator[Row]:
+    """Yield a row for each kind of work; times in ms a shot, of the processor."""
+    small, *others = (*few(SHOTS), *breaks(SHOTS), *crowds(SHOTS))
+    works = [small, *others]
+    peer, played = ("", {}) if not chosen.peer_python else _asked(chosen.peer_python, works)
     warm_up()
-    pool, red, carom = map(load_variant, ("eight_ball", "snooker", "three_cushion"))
-    loose = _loosened(pool, opening_layout(pool))
-    work = (
-        ("three-ball stroke, 4 m/s", carom, opening_layout(carom), 4.0),
-        ("break of 15, 8 m/s, small gaps", pool, loose, 8.0),
-        ("break of 15, 8 m/s, frozen rack", pool, opening_layout(pool), 8.0),
-        ("break of 21, 4 m/s", red, opening_layout(red), 4.0),
-    )
-    smallest = None
-    for name, variant, layout, speed in work:
-        times, traces = _measure(variant, layout, speed)
-        median = float(np.median(times))
-        smallest = smallest or median
-        yield _row(name, times, traces, median / smallest)
-    yield _sampling(traces[-1], smallest or 1.0)
+    smallest, broken = 0.0, None
+    for work in works:
+        times, traces = measure(work)
+        smallest = smallest or float(np.median(times))
+        yield _row(work, times, _events(traces), smallest, played.get(work.name))
+        broken = traces[0] if "8-ball" in work.name else broken
+    if broken is not None:
+        yield _sampling(broken, smallest)
+    if chosen.breaks:
+        yield _slowest(random_breaks(chosen.breaks), smallest)
+    if chosen.batch:
+        yield from _batch(random_breaks(chosen.batch))
+    if not chosen.no_starts:
+        yield from _starts(chosen.peer_python, next(one for one in works if "8-ball" in one.name))
+    if peer:
+        yield _blank(f"(peer: {peer})")
 
 
-def _loosened(variant: Variant, layout: Layout) -> Layout:
-    chance = np.random.default_rng(2012)
-    apex = min(x for ball, (x, _) in layout.items() if ball not in variant.cue_balls)
-    spread = 1.0 + GAPS / (2.0 * max(one.radius for one in variant.world.balls))
-    jitter = {ball: chance.uniform(-GAPS / 4, GAPS / 4, 2) for ball in layout}
-    return {
-        ball: (x, y)
-        if ball in variant.cue_balls
-        else (
-            apex + (x - apex) * spread + float(jitter[ball][0]),
-            y * spread + float(jitter[ball][1]),
-        )
-        for ball, (x, y) in layout.items()
-    }
+def _asked(python: str, works: list[Work]) -> tuple[str, dict[str, Played]]:
+    try:
+        return ask_peer(python, works, PEER_SHOTS)
+    except PeerMissingError as missing:
+        raise SystemExit(f"no peer: {missing}") from None
 
 
-def _measure(variant: Variant, layout: Layout, speed: float) -> tuple[list[float], list[Trace]]:
-    ball = variant.cue_balls[0]
-    strike = Strike(speed, 0.0)
+def measure(work: Work, repeats: int = 3) -> tuple[list[float], list[Trace]]:
+    """Return the time of each shot (ms, the least of some repeats) and its trace."""
     times, traces = [], []
-    for number in range(SHOTS + 5):
-        turned = replace(strike, heading=0.004 + 0.0003 * number)
-        start = perf_counter()
-        traces.append(simulate(variant.world, layout, ball, turned))
-        times.append((perf_counter() - start) * 1000.0)
-    return times[5:], traces[5:]
+    for layout, strike in work.shots:
+        best = np.inf
+        for _ in range(repeats):
+            start = thread_time()
+            trace = simulate(work.world, layout, work.ball, strike)
+            best = min(best, thread_time() - start)
+        times.append(float(best) * 1000.0)
+        traces.append(trace)
+    return times, traces
 
 
-def _row(name: str, times: list[float], traces: list[Trace], ratio: float) -> dict[str, object]:
-    events = float(np.median([len(trace.events()) for trace in traces]))
-    median = float(np.median(times))
+def _events(traces: list[Trace]) -> list[int]:
+    return [len(trace.events()) for trace in traces]
+
+
+def _blank(name: str) -> Row:
+    columns = "median_ms p95_ms slowest_ms events us_event times_small goal met"
+    columns += " peer_ms peer_events peer_times"
+    return {"work": name, **dict.fromkeys(columns.split(), "")}
+
+
+def _row(
+    work: Work, times: list[float], events: list[int], smallest: float, peer: Played | None
+) -> Row:
+    middle = float(np.median(times))
+    each = 1000.0 * sum(times) / max(sum(events), 1)
+    row = _blank(work.name) | _spread(times, smallest)
+    row |= {"events": round(float(np.median(events))), "us_event": round(each, 2)}
+    if work.goal is not None:
+        row |= _goal(middle, work.goal, "ms")
+    elif "16 balls" in work.name:
+        row |= _goal(each, 4.0, "us/ev")
+    if peer is not None and peer.error:
+        row["peer_ms"] = peer.error
+    elif peer is not None:
+        theirs = float(np.median(peer.times))
+        row |= {"peer_ms": round(theirs, 2), "peer_times": round(theirs / middle)}
+        row["peer_events"] = round(float(np.median(peer.events)))
+    return row
+
+
+def _spread(times: list[float], smallest: float) -> Row:
+    middle = float(np.median(times))
     return {
-        "work": name,
-        "median_ms": round(median, 3),
-        "p95_ms": round(float(np.percentile(times, 95)), 3),
+        "median_ms": round(middle, 4),
+        "p95_ms": round(float(np.percentile(times, 95)), 4),
         "slowest_ms": round(max(times), 3),
-        "events": round(events),
-        "us_event": round(median * 1000.0 / max(events, 1.0), 2),
-        "times_small": round(ratio, 1),
+        "times_small": round(middle / smallest, 1),
     }
 
 
-def _sampling(trace: Trace, smallest: float) -> dict[str, object]:
-    times = []
-    frames = np.arange(0.0, trace.duration, 1 / 60)
-    for _ in range(20):
-        start = perf_counter()
+def _goal(value: float, goal: float, unit: str) -> Row:
+    return {"goal": f"<= {goal:g} {unit}", "met": "yes" if value <= goal else "no"}
+
+
+def _sampling(trace: Trace, smallest: float) -> Row:
+    """Return the row of all balls' places 60 times a second for a whole shot."""
+    times, frames = [], np.arange(0.0, trace.duration, 1 / 60)
+    for _ in range(SHOTS):
+        start = thread_time()
         trace.positions(frames)
-        times.append((perf_counter() - start) * 1000.0)
-    median = float(np.median(times))
-    return {
-        "work": f"positions at 60 frames a second, {len(frames)} frames",
-        "median_ms": round(median, 3),
-        "p95_ms": round(float(np.percentile(times, 95)), 3),
-        "slowest_ms": round(max(times), 3),
-        "events": 0,
-        "us_event": 0.0,
-        "times_small": round(median / smallest, 1),
-    }
+        times.append((thread_time() - start) * 1000.0)
+    name = f"positions at 60 frames a second, {len(frames)} frames"
+    return _blank(name) | _spread(times, smallest) | _goal(float(np.median(times)), 1.0, "ms")
+
+
+def _slowest(work: Work, smallest: float) -> Row:
+    """Return the row of many random breaks; the slowest are timed again, more carefully."""
+    times, events = [], []
+    for layout, strike in work.shots:
+        start = thread_time()
+        trace = simulate(work.world, layout, work.ball, strike)
+        times.append((thread_time() - start) * 1000.0)
+        events.append(len(trace.log))
+    late = np.argsort(times)[-AGAIN:]
+    again = Work(work.name, work.world, work.ball, tuple(work.shots[k] for k in late))
+    for k, time in zip(late, measure(again, 7)[0], strict=True):
+        times[k] = min(times[k], time)
+    row = _blank(f"slowest of {len(times)} random breaks") | _spread(times, smallest)
+    each = 1000.0 * sum(times) / max(sum(events), 1)
+    row |= {"events": max(events), "us_event": round(each, 2)}
+    far = float(np.percentile(times, 99)), float(np.percentile(times, 99.9))
+    row["work"] = f"{row['work']} (99%: {far[0]:.2f}, 99.9%: {far[1]:.2f})"
+    return row | _goal(max(times), work.goal or 10.0, "ms")
+
+
+def _batch(work: Work) -> Iterator[Row]:
+    """Yield the rows of a batch on one worker and on two, by the clock."""
+    shots = [(layout, work.ball, strike) for layout, strike in work.shots]
+    simulate_batch(work.world, shots[:8], workers=2)
+    spent = {1: [0.0] * 3, 2: [0.0] * 3}
+    for turn in range(3):
+        for workers, times in spent.items():
+            start = perf_counter()
+            simulate_batch(work.world, shots, workers=workers)
+            times[turn] = perf_counter() - start
+    one, two = (float(np.median(times)) for times in spent.values())
+    for workers, time in ((1, one), (2, two)):
+        row = _blank(f"batch of {len(shots)} breaks, {workers} workers, by the clock")
+        row["median_ms"] = round(1000.0 * time / len(shots), 4)
+        if workers == 2:
+            row |= {"goal": ">= 1.9 times", "met": "yes" if one / two >= 1.9 else "no"}
+            row["times_small"] = f"{one / two:.2f} faster"
+        yield row
+
+
+def _starts(peer: str | None, work: Work) -> Iterator[Row]:
+    """Yield the rows of processes: the first on a machine, later ones, and what they hold."""
+    told = measure_starts()
+    theirs = first_shot(peer, work) if peer else None
+    row = _blank("first shot of all, start to result, compiling")
+    row["median_ms"] = round(1000.0 * told.first.processor)
+    yield row | _goal(told.first.processor, 8.0, "s") | _beside(theirs, 0, told.first)
+    row = _blank("an empty cached kernel, start to result")
+    yield row | {"median_ms": round(1000.0 * told.empty.processor)}
+    row = _blank("a later process, start to result")
+    row["median_ms"] = round(1000.0 * told.later.processor)
+    more = told.later.processor - told.empty.processor
+    yield row | _goal(more, 0.3, "s more") | _beside(theirs, 1, told.later)
+    row = _blank("the same with a variant and its rules loaded")
+    yield row | {"median_ms": round(1000.0 * told.game.processor)}
+    more = told.later.memory - told.empty.memory
+    row = _blank(f"memory: {told.later.memory:.0f} MB, an empty kernel {told.empty.memory:.0f} MB")
+    yield row | _goal(more, 60.0, "MB more") | {"times_small": f"{more:.0f} MB more"}
+
+
+def _beside(theirs: tuple[float, float] | None, turn: int, ours: Spent) -> Row:
+    """Return the peer's seconds by the clock, and how often they hold ours."""
+    if theirs is None:
+        return {}
+    times = round(theirs[turn] / ours.clock, 1)
+    return {"peer_ms": round(1000.0 * theirs[turn]), "peer_times": times}
+
+
+__all__ = ["add_options", "measure", "rows"]
