@@ -86,7 +86,7 @@ def _chosen(
         in_hand = InHand(player, origin.in_hand)
     endings, eliminated = endings_of(fired, situation)
     return Decisions(
-        points=sum_points(fired, c.players),
+        points=sum_points(fired, c.players, program.mates),
         state=write_state(program, fired, c.state),
         phase=decide_phase(fired) or origin.phase,
         next_player=player,

@@ -27,8 +27,9 @@ from rulelang.program import (
     Program,
     RuleInfo,
 )
-from rulelang.statements import SECTION_OF, Statements
+from rulelang.statements import Statements
 from rulelang.syntax import walk
+from rulelang.timers import home_of, parted
 from rulelang.where import head_of, narrowed, span_of
 
 if TYPE_CHECKING:
@@ -119,6 +120,7 @@ class _Work:
         self.read(source, filename, ())
         declarations = Declarations(self.vocabulary, self.scripts, self.tell)
         scope = declarations.scope
+        self.scripts[:] = [parted(scope, script, self.tell) for script in self.scripts]
         homes, order = self.homes(scope), self.spotting_order(scope)
         rules = self.rules(scope)
         self.defines(scope)
@@ -230,7 +232,7 @@ class _Work:
     def _rule(
         self, scope: Scope, script: s.Script, rule: s.Rule, number: int
     ) -> tuple[CompiledRule, list[Code]]:
-        section = rule.section or _home_of(rule)
+        section = rule.section or home_of(rule.body)
         for phase in rule.phases:
             scope.phase(phase, head_of(script, rule, phase))
         statements = Statements(scope, script.source, section, number, self.consequences)
@@ -258,7 +260,7 @@ class _Work:
             info,
             stage,
             _plain(run) if guard is None else _guarded(guard[0].truth, guard[1]),
-            statements.late,
+            statements.late or (section == "game end" and _ends(rule.body)),
             (),
             tuple(statements.conditions),
             0 if guard is None else guard[0].needs,
@@ -312,6 +314,8 @@ class _Work:
             homes=tuple(homes),
             spotting=declarations.header("spotting"),
             on=on,
+            timers=dict(scope.timers),
+            mates=scope.mates,
         )
 
 
@@ -334,12 +338,9 @@ def fouls_of(body: tuple[Any, ...]) -> list[str]:
     return [node.name for node in walk(body) if isinstance(node, s.Foul)]
 
 
-def _home_of(rule: s.Rule) -> str:
-    """Return the section of a rule outside any section: that of its first action."""
-    for node in walk(rule.body):
-        if type(node) in SECTION_OF:
-            return SECTION_OF[type(node)]
-    return "fouls"
+def _ends(body: tuple[Any, ...]) -> bool:
+    """Tell whether a body may end something."""
+    return any(isinstance(node, s.Win) for node in s.walk(body))
 
 
 def _plain(run: Any) -> Any:

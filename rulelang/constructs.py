@@ -31,6 +31,7 @@ CONSTRUCTS = Constructs(
         s.Called: names.called,
         s.Player: nouns.player,
         s.OpponentOf: nouns.opponent_of,
+        s.PartnerOf: nouns.partner_of,
         s.CueBallOf: nouns.cue_ball_of,
         s.ScoreOf: counting.score_of,
         s.ScoreGap: counting.gap,

@@ -14,6 +14,7 @@ from rulelang import syntax as s
 from rulelang.code import Mistake
 from rulelang.program import FactDecl, Track
 from rulelang.scope import Scope
+from rulelang.timers import declare_timer
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -60,6 +61,9 @@ class Declarations:
             case s.Track():
                 if self._new(script, node.name, node.at):
                     self._track(script, node)
+            case s.Timer():
+                if self._new(script, node.name, node.at):
+                    self._timer(script, node)
             case s.Fact():
                 if self._new(script, node.name, node.at):
                     self._fact(script, node)
@@ -73,7 +77,19 @@ class Declarations:
         if node.word == "language" and float(node.text) != 1:
             message = f"version {node.text} of the language is not known"
             self.tell(script, Mistake("R110", node.at, message, "say `language 1`"))
+        if node.word == "side":
+            self._side(script, node)
         self.headers[node.word] = node.text
+
+    def _side(self, script: s.Script, node: s.Header) -> None:
+        most = self.scope.vocabulary.players[1]
+        mates = float(node.text)
+        if not mates.is_integer() or mates < 1 or 2 * mates > most:
+            message = f"a side cannot have {node.text} of at most {most} players"
+            mend = f"say `players per side {max(1, most // 2)}`"
+            self.tell(script, Mistake("R307", node.at, message, mend))
+            return
+        self.scope.mates = int(mates)
 
     def _phases(self, script: s.Script, node: s.Phases) -> None:
         names = [name for name, _ in node.names]
@@ -116,7 +132,7 @@ class Declarations:
         unit = spans[0] if spans else "game"
         kind, value, by_breaker = self._start(script, node)
         self.scope.tracks[node.name] = Track(
-            node.name, _SCOPES.get(unit, unit), per_player, value, by_breaker
+            node.name, _SCOPES.get(unit, unit), per_player, value, by_breaker, "side" in units
         )
         self.scope.track_kinds[node.name] = kind
 
@@ -155,6 +171,12 @@ class Declarations:
                     return k.NAME, "none", False
         return k.NUMBER, 0, False
 
+    def _timer(self, script: s.Script, node: s.Timer) -> None:
+        try:
+            declare_timer(self.scope, node)
+        except Mistake as trouble:
+            self.tell(script, trouble)
+
     def _fact(self, script: s.Script, node: s.Fact) -> None:
         kind = node.kind
         default: Value | None = None
@@ -188,7 +210,7 @@ class Declarations:
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
         for name in re.findall(
-            r"^(?:define|track|fact|zones) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
+            r"^(?:define|track|fact|zones|timer) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
         ):
             self.scope.poisoned.add(name)
         phases = re.search(r"^phases +([a-z0-9 ,-]+)", script.source, re.MULTILINE)
@@ -198,7 +220,7 @@ class Declarations:
 
 def _line_of(script: s.Script, name: str) -> int:
     for node in script.declarations:
-        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact) and node.name == name:
+        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact | s.Timer) and node.name == name:
             return node.at.line
     return 1
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from rulelang.choosing import choose
 from rulelang.closures import singles
 from rulelang.decisions import Admission, Decisions, Required
+from rulelang.ends import starting
 from rulelang.firing import fire, rules_of
 from rulelang.judging import judge_shot
 from rulelang.moment import cue_ball_of, homes_of, look, start_of
@@ -44,11 +45,11 @@ def start(program: Program, situation: Situation) -> Decisions:
     first = program.phases[0] if program.phases else ""
     c.phase = c.next_phase = first
     c.stage = CONSEQUENCE
-    fired = fire(program.compiled.get("game start", ()), c)
+    fired = starting(program, situation, c)
     c.state = write_state(program, fired, c.state)
     turn = decide_turn(fired, c)
     return Decisions(
-        points=sum_points(fired, c.players),
+        points=sum_points(fired, c.players, program.mates),
         state=c.state,
         phase=decide_phase(fired) or first,
         next_player=situation.breaker if turn.player is None else turn.player,

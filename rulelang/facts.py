@@ -30,7 +30,8 @@ class Situation:
     a ball stands; `fallen` are the pins that do not stand; `in_hand` is the zone that the
     shooter's cue ball is in hand in.
     `eliminated` are players out of the game. `options` may be chosen from before this shot.
-    `seed` is where all chance comes from.
+    `seed` is where all chance comes from. `games` counts the games of the match that are over,
+    `winner` is who won the last of them, 0 where nobody did.
     """
 
     players: int
@@ -48,6 +49,8 @@ class Situation:
     breaker: int = 1
     eliminated: frozenset[int] = frozenset()
     seed: int = 0
+    games: int = 0
+    winner: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from rulelang.closures import opponent
 from rulelang.decisions import Decisions, Ending, InHand, Offer
+from rulelang.ends import close
 from rulelang.explain import Explanation
 from rulelang.firing import (
     ENDING,
@@ -20,7 +21,6 @@ from rulelang.firing import (
     Fired,
     ask,
     enter,
-    fire,
     judge_fouls,
 )
 from rulelang.moment import endings_of, homes_of, look
@@ -62,7 +62,8 @@ def judge_shot(
     _keep(views, c, log)
     in_hand, offers, written = _next_shot(program, c, log)
     _keep(views, c, log)
-    ended, eliminated = _ending(program, situation, c, log)
+    ended, eliminated, extra = _ending(program, situation, c, log)
+    points = tuple(a + b for a, b in zip(points, extra, strict=True)) if ended else points
     next_player = _still_in(c, turn, eliminated)
     if offers and not ended:
         next_player = offers[0].player
@@ -87,7 +88,7 @@ def judge_shot(
 
 def _points(program: Program, c: Watch, log: Any) -> tuple[int, ...]:
     fired = ask(program, c, POINTS, log)
-    points = sum_points(fired, c.players)
+    points = sum_points(fired, c.players, program.mates)
     state = write_state(program, fired, c.state)
     enter(program, c, TURN)
     c.state = state
@@ -136,14 +137,14 @@ def _written(fired: Fired, before: Mapping[str, Tracked], after: Mapping[str, Tr
 
 def _ending(
     program: Program, situation: Situation, c: Watch, log: Any
-) -> tuple[tuple[Ending, ...], frozenset[int]]:
+) -> tuple[tuple[Ending, ...], frozenset[int], tuple[int, ...]]:
     fired = ask(program, c, ENDING, log)
     c.state = write_state(program, fired, c.state)
     ended, eliminated = endings_of(fired, situation)
-    for ending in ended:
-        last = fire(program.compiled.get(f"{ending.unit} end", ()), c)
-        c.state = write_state(program, last, c.state)
-    return ended, eliminated
+    if not ended:
+        return ended, eliminated, ()
+    ended, points = close(program, situation, c, ended)
+    return ended, eliminated, points
 
 
 def _keep(views: list[tuple[Any, ...]], c: Watch, log: Any) -> None:

@@ -50,12 +50,12 @@ def check_meaning(
 
 
 def _names(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
-    seen: dict[str, s.Script] = {}
+    seen: dict[str, tuple[str, s.Span]] = {}
     for script, rule in written:
-        if rule.name and rule.name in seen:
+        if rule.name and rule.name in seen and seen[rule.name] != (script.file, rule.at):
             message = f'there are two rules "{rule.name}"'
             tell(script, Mistake("R410", rule.at, message, "give one of them another name"))
-        seen.setdefault(rule.name, script)
+        seen.setdefault(rule.name, (script.file, rule.at))
 
 
 def _overrides(written: list[tuple[s.Script, s.Rule]], scripts: list[s.Script], tell: Tell) -> None:
@@ -153,7 +153,7 @@ def _unused(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> 
     if not any(script.rules for script in scripts):
         return
     for name, owner in scope.owners.items():
-        if owner is scripts[-1] and name not in scope.used and name not in scope.poisoned:
+        if owner.file == scripts[-1].file and name not in scope.used and name not in scope.poisoned:
             at = _place_of(owner, name)
             if at is not None:
                 message = f'"{name}" is never used'
@@ -162,7 +162,7 @@ def _unused(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> 
 
 def _place_of(script: s.Script, name: str) -> s.Span | None:
     for node in script.declarations:
-        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact) and node.name == name:
+        if isinstance(node, s.Zones | s.Define | s.Track | s.Fact | s.Timer) and node.name == name:
             return node.at
     return None
 

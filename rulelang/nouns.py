@@ -13,8 +13,9 @@ from rulelang import syntax as s
 from rulelang.chance import draw
 from rulelang.closures import derive, joined, leader, opponent, singles
 from rulelang.code import Code
+from rulelang.ends import loser, winner
 from rulelang.events_told import fits_set
-from rulelang.program import STAGE
+from rulelang.program import CONSEQUENCE, STAGE
 from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
@@ -37,6 +38,8 @@ _PLAYERS: dict[str, k.Run] = {
     "leader": leader,
     "player by lot": lambda c: draw(c.situation.seed, c.players),
     "that player": lambda c: c.player,
+    "winner": winner,
+    "loser": loser,
 }
 
 
@@ -78,7 +81,22 @@ def player(_x: Expressions, node: s.Player) -> Code:
         other = words == "waiting player"
         run = (lambda c: opponent(c, c.next_player)) if other else (lambda c: c.next_player)
         return Code(k.PLAYER, run, since=STAGE["table"], staged=True)
-    return Code(k.PLAYER, _PLAYERS[words], staged=words == "leader")
+    since = CONSEQUENCE if words in ("winner", "loser") else 0
+    return Code(k.PLAYER, _PLAYERS[words], staged=words == "leader", since=since)
+
+
+def partner_of(x: Expressions, node: s.PartnerOf) -> Code:
+    """Compile `partner of WHO`: the next player of the same side, himself where he is alone."""
+    who = x.want(node.who, k.PLAYER)
+    run, mates = who.run, x.scope.mates
+
+    def find(c: Watch) -> int:
+        player: int = run(c)
+        sides = max(1, c.players // mates) if mates else c.players
+        partner = player + sides
+        return partner if partner <= c.players else (player - 1) % sides + 1
+
+    return joined(Code(k.PLAYER, find), who)
 
 
 def extreme(x: Expressions, node: s.Extreme) -> Code:

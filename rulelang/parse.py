@@ -160,7 +160,7 @@ def _pieces(lines: list[str]) -> list[Piece]:
 
 
 _SECTION = re.compile(
-    r"(before shot|fouls|points|turn|table|next shot|ending|at \w+ \w+)"
+    r"(before shot|fouls|points|turn|table|next shot|ending|at \w+ \w+|when [a-z0-9-]+ expires)"
     r"( in phase [^:]*)?:\s*(#.*)?$"
 )
 

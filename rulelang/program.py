@@ -26,7 +26,7 @@ class Track:
     """A tracked value: `scope` is "shot", "turn", "game" or "match".
 
     `start` is the value it starts with; "breaker" stands for the number of the player who
-    breaks. `per_player`: one value for each player.
+    breaks. `per_player`: one value for each player; `per_side`: the players of a side share it.
     """
 
     name: str
@@ -34,6 +34,16 @@ class Track:
     per_player: bool
     start: Value
     by_breaker: bool = False
+    per_side: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Timer:
+    """Seconds that run anew for each `per`: "shot", "turn", "game" or "match"."""
+
+    name: str
+    seconds: float
+    per: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,3 +145,6 @@ class Program:
     spotting_sets: tuple[Run, ...] = field(repr=False, default=())
     """Sets of balls in the order of their spotting; where there are any, `spotting` is void."""
     on: Run | None = field(repr=False, default=None)
+    timers: Mapping[str, Timer] = field(default_factory=dict)
+    mates: int = 0
+    """How many players a side has, 0 where each plays for himself."""

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from rulelang import syntax as s
     from rulelang.code import Code
-    from rulelang.program import FactDecl, Track
+    from rulelang.program import FactDecl, Timer, Track
     from rulelang.vocabulary import Vocabulary
 
 
@@ -38,6 +38,8 @@ class Scope:
     track_kinds: dict[str, str] = field(default_factory=dict)
     facts: dict[str, FactDecl] = field(default_factory=dict)
     fact_nodes: dict[str, s.Fact] = field(default_factory=dict)
+    mates: int = 0
+    timers: dict[str, Timer] = field(default_factory=dict)
     defines: dict[str, s.Define] = field(default_factory=dict)
     poisoned: set[str] = field(default_factory=set)
     compiled: dict[tuple[str, bool], Code] = field(default_factory=dict)

@@ -87,14 +87,21 @@ def decide_in_hand(fired: Fired) -> InHand | None:
     return None if found is None else InHand(found[1], found[2])
 
 
-def sum_points(fired: Fired, players: int) -> tuple[int, ...]:
-    """Return the change of each player's score."""
+def sum_points(fired: Fired, players: int, mates: int = 0) -> tuple[int, ...]:
+    """Return the change of each player's score; players of one side have one score."""
     points = [0] * players
     if not fired:
         return tuple(points)
     for _, decision in _each(fired, "points"):
-        points[decision[1] - 1] += decision[2]
+        for player in side_of(decision[1], players, mates):
+            points[player - 1] += decision[2]
     return tuple(points)
+
+
+def side_of(player: int, players: int, mates: int) -> range:
+    """Return the players of one side of `mates`, who come to the table in turns; 0: alone."""
+    sides = max(1, players // mates) if mates else players
+    return range((player - 1) % sides + 1, players + 1, sides)
 
 
 def offers_of(fired: Fired) -> tuple[Offer, ...]:
@@ -119,7 +126,7 @@ def write_state(
     adds: dict[tuple[str, int | None], tuple[int, CompiledRule]] = {}
     sets: dict[tuple[str, int | None], tuple[Any, CompiledRule]] = {}
     for rule, (_, op, name, player, value) in _each(fired, "write"):
-        where = (name, player)
+        where = (name, _keeper(program, state, name, player))
         if op == "add":
             adds[where] = (adds.get(where, (0, rule))[0] + value, rule)
             continue
@@ -133,10 +140,19 @@ def write_state(
             raise RuleClash(f"value of {where[0]}", rule, sets[where][1])
     if not adds and not sets:
         return state
-    return _written(state, adds, sets)
+    return _written(program, state, adds, sets)
 
 
-def _written(state: Mapping[str, Tracked], adds: Any, sets: Any) -> Mapping[str, Tracked]:
+def _keeper(program: Program, state: Any, name: str, player: int | None) -> int | None:
+    """Return the player under whom a value is kept: the first of a side that shares it."""
+    if player is None or not program.tracked[name].per_side:
+        return player
+    return side_of(player, len(state[name]), program.mates)[0]
+
+
+def _written(
+    program: Program, state: Mapping[str, Tracked], adds: Any, sets: Any
+) -> Mapping[str, Tracked]:
     after = dict(state)
     for table, adding in ((adds, True), (sets, False)):
         for (name, player), (value, _) in table.items():
@@ -145,7 +161,9 @@ def _written(state: Mapping[str, Tracked], adds: Any, sets: Any) -> Mapping[str,
                 after[name] = old + value if adding else value
             else:
                 row = list(old)
-                row[player - 1] = row[player - 1] + value if adding else value
+                mates = program.mates if program.tracked[name].per_side else 0
+                for one in side_of(player, len(row), mates):
+                    row[one - 1] = row[one - 1] + value if adding else value
                 after[name] = tuple(row)
     return after
 

@@ -236,6 +236,10 @@ def _line_end(
         return _at(
             "R108", file, line, column, "the bracket is not closed", "close it with `)`", source
         )
+    last = row.split()[-1] if row.split() else ""
+    if last in ("a", "an", "the"):
+        message, mend = f"`{last}` is an article and is passed over", "give it a longer name"
+        return _at("R101", file, line, column - len(last), message, mend, source, len(last))
     told = f"; expected {_listed(expected)}" if expected else ""
     return _at(
         "R101", file, line, column, f"the line ends too early{told}", "finish the line", source

@@ -36,6 +36,10 @@ class OutOfFuel(Exception):  # noqa: N818 - it names what happened, as the other
     """A script loops longer than any referee would."""
 
 
+class Nobody(Exception):  # noqa: N818 - it names what is the case
+    """A rule speaks of the winner where nobody has won."""
+
+
 class Watch:
     """What the rules of one judgement read; the evaluator moves it from section to section."""
 
@@ -44,7 +48,7 @@ class Watch:
         "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
         "players", "scores", "seen", "shooter", "shot", "situation", "stage",
-        "state", "stroke", "up_after", "up_before", "values",
+        "state", "stroke", "up_after", "up_before", "values", "winner",
     )  # fmt: skip
 
     def __init__(
@@ -72,6 +76,7 @@ class Watch:
         self.homes: Mapping[str, str] = {}
         self.it = 0
         self.player = situation.shooter
+        self.winner = situation.winner
         self.memo: list[Any] = []
         self.shot: Shot | None = None
         self.call: Call | None = None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from engine.game.referee import announce, on_the_bed, take_in_hand
 from engine.game.situation import Rest, Situation, as_rules_see, cue_ball_of, empty
-from engine.game.spotting import place_ball
+from engine.game.spotting import Board, carry_out, place_ball
 from engine.table.furniture import BallId, ZoneId
 from engine.variant.rack import lay_rack
 from rulelang.evaluate import start
@@ -96,21 +96,49 @@ def start_game(
     seed: int = 0,
     breaker: int = 1,
     scores: tuple[int, ...] | None = None,
+    last: Situation | None = None,
 ) -> Situation:
-    """Return the situation before the first shot of a game, balls racked by the seed."""
+    """Return the situation before the first shot of a game, balls racked by the seed.
+
+    `last` is how the game before it in the match ended: what is tracked per match is kept.
+    """
     situation = Situation(
         players=players,
         shooter=breaker,
         phase=(variant.program.phases or ("",))[0],
         scores=scores or (0,) * players,
         on_table=balls_at_start(variant, breaker),
-        state=start_state(variant, players, breaker),
+        state={**start_state(variant, players, breaker), **_kept(variant, last)},
         settings=settings,
         rest=racked(variant, seed),
         breaker=breaker,
         seed=seed,
+        games=0 if last is None else last.games + 1,
+        won_last=0 if last is None else last.winner or 0,
     )
     return _open(variant, situation)
+
+
+def next_game(match: Match, breaker: int | None = None) -> Match:
+    """Return the match with the next game begun; without a `breaker` the breaks go round.
+
+    Raises ValueError where the game is still open, or the match is over.
+    """
+    last = match.situation
+    if not last.over or last.match_over:
+        raise ValueError("the match is over" if last.match_over else "the game is not over yet")
+    chosen = last.breaker % last.players + 1 if breaker is None else breaker
+    seed = match.seed + 7919 * (last.games + 1)
+    begun = start_game(match.variant, last.players, match.settings, seed, chosen, last=last)
+    return replace(match, situation=begun)
+
+
+def _kept(variant: Variant, last: Situation | None) -> dict[str, Tracked]:
+    """Return what is tracked per match, as the last game left it."""
+    if last is None:
+        return {}
+    tracked = variant.program.tracked
+    return {name: value for name, value in last.state.items() if tracked[name].scope == "match"}
 
 
 def balls_at_start(variant: Variant, breaker: int = 1) -> frozenset[BallId]:
@@ -143,8 +171,16 @@ def _open(variant: Variant, situation: Situation) -> Situation:
     decided = start(variant.program, as_rules_see(situation))
     given = decided.in_hand
     zone = None if given is None or given.zone is None else ZoneId(given.zone)
+    points = decided.points or (0,) * situation.players
+    board = carry_out(
+        variant, Board(situation.rest, situation.on_table), decided.table, decided.homes, situation
+    )
     begun = replace(
         situation,
+        scores=tuple(map(sum, zip(situation.scores, points, strict=True))),
+        on_table=board.on_table,
+        rest=board.rest,
+        offers=decided.offers,
         phase=decided.phase or situation.phase,
         state=dict(decided.state) or situation.state,
         shooter=decided.next_player or situation.shooter,

@@ -66,7 +66,8 @@ class Situation:
     `in_hand` is the zone in which the shooter's cue ball is in hand. `offers` is what the
     shooter may choose from before the shot; `strikable` are the balls that he may strike, none
     where it is his cue ball alone. `winner` is None while the game goes on, 0 for a
-    draw; `match_over` says whether the match ended with it.
+    draw; `match_over` says whether the match ended with it. `games` counts the games of the match
+    before this one, `won_last` is who won the last of them, 0 where nobody did.
     """
 
     players: int
@@ -83,6 +84,8 @@ class Situation:
     eliminated: frozenset[int] = frozenset()
     seed: int = 0
     shots: int = 0
+    games: int = 0
+    won_last: int = 0
     winner: int | None = None
     match_over: bool = False
     judged: Judged | None = None
@@ -108,10 +111,11 @@ def cue_ball_of(variant: Variant, player: int) -> BallId:
 def ball_to_strike(variant: Variant, situation: Situation) -> BallId:
     """Return the ball that the tip strikes unless a shot names another.
 
-    That is the shooter's cue ball, or the first of those he may strike where it is gone.
+    That is the shooter's cue ball, or the first of those he may strike where it is not among
+    them or gone.
     """
     cue = cue_ball_of(variant, situation.shooter)
-    if cue in situation.on_table:
+    if cue in situation.on_table and cue in (situation.strikable or {cue}):
         return cue
     return next((kind.id for kind in variant.balls if kind.id in situation.strikable), cue)
 
@@ -139,4 +143,6 @@ def as_rules_see(situation: Situation) -> said.Situation:
         breaker=situation.breaker,
         eliminated=situation.eliminated,
         seed=situation.seed * 1_000_003 + situation.shots,
+        games=situation.games,
+        winner=situation.won_last,
     )

@@ -32,6 +32,11 @@ def _track(n: Any) -> list[s.Declaration]:
     return [s.Track(span(n), text(name), tuple(text(u) for u in units), maybe(start))]
 
 
+def _timer(n: Any) -> list[s.Declaration]:
+    name, seconds, per = n.children
+    return [s.Timer(span(name), text(name), text(seconds), "shot" if per is None else text(per))]
+
+
 def _fact(n: Any) -> list[s.Declaration]:
     name, *rest = n.children
     kind = ""
@@ -82,6 +87,8 @@ _DECLARATIONS: dict[str, Callable[[Any], list[s.Declaration]]] = {
     "order": lambda n: [s.Header(span(n), "spotting", text(n.children[0]))],
     "order_of_sets": lambda n: [s.SpottingOrder(span(n), tuple(map(expression, n.children)))],
     "settled": lambda n: [s.Header(span(n), "settled", text(n.children[0]))],
+    "sides": lambda n: [s.Header(span(n), "side", text(n.children[0]))],
+    "timer": _timer,
     "phases": lambda n: [s.Phases(span(n), tuple((text(c), span(c)) for c in n.children))],
     "zones": _zones,
     "track": _track,
@@ -113,6 +120,7 @@ def _rule(n: Any, section: str | None, phases: tuple[str, ...]) -> s.Rule:
 def _section(n: Any) -> list[s.Rule]:
     head, where, *body = n.children
     name = text(head).replace("rack ", "game ").replace("frame ", "game ")
+    name = f"{name} expires" if head.data == "expiry" else name
     phases = () if where is None else tuple(text(c) for c in where.children)
     return [_rule(part, name, phases) for part in body]
 

@@ -225,6 +225,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "who_name": lambda n: s.Name(span(n), str(n.children[0])),
     "player": lambda n: s.Player(span(n), text(n)),
     "opponent_of": lambda n: s.OpponentOf(span(n), expression(n.children[0])),
+    "partner_of": lambda n: s.PartnerOf(span(n), expression(n.children[0])),
     "tip_again": _fixed_target("tip hit again"),
     "tip_followed": _fixed_target("tip followed"),
     "player_touched": _fixed_target("player touched"),

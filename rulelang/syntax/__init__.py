@@ -14,6 +14,7 @@ from rulelang.syntax.declarations import (
     Rule,
     Script,
     SpottingOrder,
+    Timer,
     Track,
     Zones,
 )
@@ -38,6 +39,7 @@ from rulelang.syntax.expressions import (
     Number,
     OnTable,
     OpponentOf,
+    PartnerOf,
     Player,
     Quantified,
     ScoreGap,
@@ -84,8 +86,8 @@ __all__ = [
     "Declaration", "Define", "Except", "Expr", "Extreme", "Fact", "Flag", "ForEach", "Foul",
     "GiveInHand", "GoToPhase", "Happened", "Header", "Home", "If", "Is", "Junction", "Listing",
     "Name", "NameOf", "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices",
-    "OnTable", "OpponentOf", "Phases", "PlaceAt", "Player", "Plays", "Quantified", "RackAgain",
-    "RemoveBalls", "Require", "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script", "Seat",
-    "Sequence", "SetUpPins", "Span", "SpotBalls", "SpottingOrder", "Standing", "Statement", "Test",
-    "Total", "Track", "Turn", "Verb", "Win", "Write", "Zones", "walk",
+    "OnTable", "OpponentOf", "PartnerOf", "Phases", "PlaceAt", "Player", "Plays", "Quantified",
+    "RackAgain", "RemoveBalls", "Require", "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script",
+    "Seat", "Sequence", "SetUpPins", "Span", "SpotBalls", "SpottingOrder", "Standing", "Statement",
+    "Test", "Timer", "Total", "Track", "Turn", "Verb", "Win", "Write", "Zones", "walk",
 ]  # fmt: skip

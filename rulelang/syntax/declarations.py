@@ -38,6 +38,16 @@ class Track:
 
 
 @dataclass(frozen=True, slots=True)
+class Timer:
+    """Seconds that run `per` a unit; that it ran out is told like a fact."""
+
+    at: Span
+    name: str
+    seconds: str
+    per: str
+
+
+@dataclass(frozen=True, slots=True)
 class Fact:
     """An author's fact; `kind` is "", "ball", "number", "player" or "values".
 
@@ -81,7 +91,7 @@ class Define:
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """`language`, `game`, `cites`, `uses`, `spotting` or `settled` with its text."""
+    """`language`, `game`, `cites`, `uses`, `spotting`, `settled` or `side` with its text."""
 
     at: Span
     word: str
@@ -103,7 +113,7 @@ class Zones:
     members: tuple[tuple[str, Span], ...]
 
 
-Declaration = Header | Phases | Zones | Track | Fact | Home | SpottingOrder | Define
+Declaration = Header | Phases | Zones | Timer | Track | Fact | Home | SpottingOrder | Define
 
 
 @dataclass(frozen=True, slots=True)

@@ -85,6 +85,14 @@ class OpponentOf:
 
 
 @dataclass(frozen=True, slots=True)
+class PartnerOf:
+    """The next player of the same side."""
+
+    at: Span
+    who: Expr
+
+
+@dataclass(frozen=True, slots=True)
 class CueBallOf:
     at: Span
     who: Expr
@@ -228,6 +236,6 @@ class Sequence:
 
 Expr = (
     Number | Flag | Nothing | Name | NameOf | BallNumber | Noun | Called | Player | OpponentOf
-    | CueBallOf | ScoreOf | ScoreGap | Listing | OnTable | Standing | Extreme | Except | Quantified
-    | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
+    | PartnerOf | CueBallOf | ScoreOf | ScoreGap | Listing | OnTable | Standing | Extreme | Except
+    | Quantified | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
 )  # fmt: skip
