@@ -124,13 +124,14 @@ def _bulges(profile: Profile) -> bool:
 
 
 def _smooth(profile: Profile, z: float) -> float:
-    """Return the radius at a height, on the parabola through the three radii of the profile."""
+    """Return the radius at a height, on the parabola through the radii, at most the greatest."""
     (a, ra), (b, rb), (c, rc) = profile
-    return (
+    radius = (
         ra * (z - b) * (z - c) / ((a - b) * (a - c))
         + rb * (z - a) * (z - c) / ((b - a) * (b - c))
         + rc * (z - a) * (z - b) / ((c - a) * (c - b))
     )
+    return min(radius, max(ra, rb, rc))
 
 
 def _turned(rings: list[tuple[float, float]], sides: int, colour: Rgb) -> Mesh:
@@ -145,8 +146,10 @@ def _turned(rings: list[tuple[float, float]], sides: int, colour: Rgb) -> Mesh:
         for k in range(sides):
             after = (k + 1) % sides
             faces.append((low + k, low + after, high + after, high + k))
-    last = (len(rings) - 1) * sides
-    faces += [tuple(reversed(range(sides))), tuple(range(last, last + sides))]
+    last, count = (len(rings) - 1) * sides, len(points)
+    points += points[:sides] + points[last:]  # the ends have corners of their own: they are flat
+    faces += [tuple(reversed(range(count, count + sides)))]
+    faces += [tuple(range(count + sides, count + 2 * sides))]
     return make_mesh(np.array(points), faces, colour, gloss=0.35, smooth=True)
 
 
