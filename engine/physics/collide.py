@@ -20,7 +20,9 @@ from engine.physics.state import (
     G_E,
     G_FLOOR,
     G_RISE,
+    GRIP,
     KICK,
+    LIVELY,
     MASS,
     RADIUS,
     SOFT,
@@ -45,6 +47,20 @@ def friction(world: Floats, slip: float) -> float:
     """Return the friction coefficient at a slip speed (m/s); Alciatore TP A.28 for its form."""
     mu: float = world[G_FLOOR] + world[G_RISE] * exp(-world[G_DECAY] * slip)
     return mu
+
+
+@njit(cache=True, error_model="numpy")
+def restitution(one: Floats, two: Floats, world: Floats) -> float:
+    """Return the restitution of two balls: the mean of both."""
+    e: float = world[G_E] + 0.5 * (one[LIVELY] + two[LIVELY])
+    return e
+
+
+@njit(cache=True, error_model="numpy")
+def grip(one: Floats, two: Floats) -> float:
+    """Return by what factor two balls rub more than others: the mean of both."""
+    factor: float = 1.0 + 0.5 * (one[GRIP] + two[GRIP])
+    return factor
 
 
 @njit(cache=True, error_model="numpy")
@@ -87,7 +103,8 @@ def find_rub(
     slip = sqrt(along * along + upward * upward)
     if slip <= 1e-15:
         return 0.0, 0.0
-    impulse = min(friction(world, slip) * pressed, share * slip * reduced / 3.5)
+    impulse = grip(one, two) * friction(world, slip) * pressed
+    impulse = min(impulse, share * slip * reduced / 3.5)
     return -impulse * along / slip, -impulse * upward / slip
 
 
@@ -118,7 +135,7 @@ def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
     nx, ny = nx / gap, ny / gap
     speed = (one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny
     reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
-    leaving = world[G_E] * speed
+    leaving = restitution(one, two, world) * speed
     if speed < SOFT:
         leaving = _rest_apart(one, two, speed, reduced)
     impulse = (speed + leaving) * reduced
@@ -162,7 +179,9 @@ __all__ = [
     "find_rub",
     "friction",
     "give_rub",
+    "grip",
     "kick",
+    "restitution",
     "scale_spin",
     "spin_energy",
     "strike_apart",

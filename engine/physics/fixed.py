@@ -20,10 +20,6 @@ from engine.physics.motion import begin
 from engine.physics.predict import NEVER, closes, nose_time, swept_box
 from engine.physics.rebound import bounce
 from engine.physics.record import (
-    CAP,
-    EVENTS,
-    PIECES,
-    STARTED,
     change,
     drop,
     faster_first,
@@ -34,8 +30,10 @@ from engine.physics.record import (
 from engine.physics.state import (
     AX,
     AY,
+    CAP,
     DROPPED,
     END,
+    EVENTS,
     FAST,
     GONE,
     N_CURVED,
@@ -43,14 +41,17 @@ from engine.physics.state import (
     N_DY,
     N_SIZE,
     N_SPAN,
+    N_UPRIGHT,
     N_X,
     N_Y,
     NOSE,
+    PIECES,
     RADIUS,
     REACH,
     REST,
     ROLL,
     SLIDE,
+    STARTED,
     STOPPED,
     T0,
     TOUCHING,
@@ -113,7 +114,7 @@ def run_fixed(
             _correct(balls, kinds, world, noses, pieces, events, counts, following)
         else:
             _preempt(balls, kinds, world, noses, pieces, events, counts, now, following)
-        _catch(balls, kinds, world, pockets, pieces, events, counts, following)
+        _catch(balls, kinds, pockets, pieces, events, counts, following)
         clock[0] = following
 
 
@@ -194,8 +195,8 @@ def _part(
     need = 2.0 * sqrt(balls[i, RADIUS] * balls[j, RADIUS])
     if apart >= need or apart == 0.0:
         return
-    move(balls, kinds, world, pieces, counts, i, now)
-    move(balls, kinds, world, pieces, counts, j, now)
+    move(balls, kinds, pieces, counts, i, now)
+    move(balls, kinds, pieces, counts, j, now)
     push = 0.5 * (need - apart) / apart
     balls[i, X] -= push * dx
     balls[i, Y] -= push * dy
@@ -214,16 +215,17 @@ def _part(
 def _depth(ball: Floats, nose: Floats, x: float, y: float) -> float:
     """Return how deep (m) a ball at (x, y) lies in a nose; at most zero where it does not."""
     dx, dy = x - nose[N_X], y - nose[N_Y]
+    own = ball[RADIUS] if nose[N_UPRIGHT] != 0.0 else ball[REACH]
     if nose[N_CURVED] == 0.0:
         at = dx * nose[N_DX] + dy * nose[N_DY]
-        depth = ball[REACH] - (dy * nose[N_DX] - dx * nose[N_DY])
+        depth = own - (dy * nose[N_DX] - dx * nose[N_DY])
         return depth if 0.0 <= at <= nose[N_SIZE] and depth < 4.0 * ball[RADIUS] else 0.0
     reach = sqrt(dx * dx + dy * dy)
     if dx * nose[N_DX] + dy * nose[N_DY] < reach * nose[N_SPAN]:
         return 0.0
     if nose[N_SIZE] < 0.0:
-        return reach - (-nose[N_SIZE] - ball[REACH])
-    return nose[N_SIZE] + ball[REACH] - reach
+        return reach - (-nose[N_SIZE] - own)
+    return nose[N_SIZE] + own - reach
 
 
 @njit(cache=True, error_model="numpy")
@@ -243,12 +245,12 @@ def _push_out(
     depth = _depth(balls[i], noses[k], x, y)
     if depth <= 0.0:
         return
-    move(balls, kinds, world, pieces, counts, i, now)
+    move(balls, kinds, pieces, counts, i, now)
     ix, iy = into(balls[i], noses[k])
     balls[i, X] -= depth * ix
     balls[i, Y] -= depth * iy
     if balls[i, VX] * ix + balls[i, VY] * iy > 0.0:
-        speed = bounce(balls[i], world, ix, iy)
+        speed = bounce(balls[i], world, noses[k], ix, iy)
         note(events, counts, NOSE, now, i, float(k), speed)
     _restart(balls, kinds, world, events, counts, i, now)
 
@@ -330,13 +332,13 @@ def _hit(
     other: int,
     nose: int,
 ) -> None:
-    move(balls, kinds, world, pieces, counts, i, t)
+    move(balls, kinds, pieces, counts, i, t)
     at[i] = t
     if other < 0:
         ix, iy = into(balls[i], noses[nose])
-        note(events, counts, NOSE, t, i, float(nose), bounce(balls[i], world, ix, iy))
+        note(events, counts, NOSE, t, i, float(nose), bounce(balls[i], world, noses[nose], ix, iy))
     else:
-        move(balls, kinds, world, pieces, counts, other, at[other])
+        move(balls, kinds, pieces, counts, other, at[other])
         speed = closing_speed(balls[i], balls[other])
         if speed > 0.0:
             first, second = faster_first(balls, i, other)
@@ -350,7 +352,6 @@ def _hit(
 def _catch(
     balls: Floats,
     kinds: Ints,
-    world: Floats,
     pockets: Floats,
     pieces: Floats,
     events: Floats,
@@ -365,7 +366,7 @@ def _catch(
         for k in range(pockets.shape[0]):
             dx, dy, size = x - pockets[k, 0], y - pockets[k, 1], pockets[k, 2]
             if kinds[i] != GONE and dx * dx + dy * dy <= size * size:
-                drop(balls, kinds, world, pieces, counts, i, now)
+                drop(balls, kinds, pieces, counts, i, now)
                 note(events, counts, DROPPED, now, i, float(k), 0.0)
 
 

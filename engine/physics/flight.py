@@ -22,27 +22,35 @@ from engine.physics.airborne import (
     over_pocket,
     pair_in_air,
 )
-from engine.physics.foresee import K_NOSE, K_NOSE_TIME, foresee, next_event
+from engine.physics.foresee import foresee, next_event
 from engine.physics.impact import meet_ball, meet_bed, meet_nose
 from engine.physics.motion import begin
 from engine.physics.predict import NEVER
-from engine.physics.record import CAP, EVENTS, PIECES, STARTED, close, move, note
+from engine.physics.record import close, move, note
 from engine.physics.state import (
+    ASK_ALARM,
     AX,
     AY,
     BX,
     BY,
+    C_ALARM,
+    CAP,
     DROPPED,
     END,
+    EVENTS,
     FLY,
     G_GRAVITY,
     G_NOSE,
     GONE,
+    K_NOSE,
+    K_NOSE_TIME,
     LANDED,
     LEFT,
     NOSE,
+    PIECES,
     RADIUS,
     REST,
+    STARTED,
     STOPPED,
     T0,
     TOUCHING,
@@ -56,16 +64,13 @@ from engine.physics.state import (
     Y,
     Z,
 )
-from engine.physics.stepwise import FULL, PAUSED, STORM, run
+from engine.physics.stepwise import ASK, DOWN, FULL, PAUSED, STORM, ask, run
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
-
-DOWN = 4
-"""How a run ends, beside those of `stepwise`: no ball flies any more."""
 
 IN_PAIR, IN_NOSE, IN_FALL = range(3)
 BACK = 2.0
@@ -110,11 +115,13 @@ def run_flying(
             return DOWN
         _hide(kinds, bedded)
         _, _, below = next_event(balls, bedded, foreseen)
+        if clock[C_ALARM] < min(now, below) and clock[C_ALARM] <= until:
+            return ask(counts, clock, ASK_ALARM, -1, -1, clock[C_ALARM])
         if below <= min(now, until):
             args = (pairs, foreseen, pieces, events, counts, clock, below)
             answer = run(balls, bedded, world, noses, pockets, *args)
             _show(kinds, bedded)
-            if answer in (FULL, STORM):
+            if answer in (FULL, STORM, ASK):
                 return answer
             continue
         if now > until:
@@ -130,7 +137,7 @@ def run_flying(
             _advance(balls[who], kinds[who], world, pieces, counts, who, now)
             nose = int(foreseen[who, K_NOSE])
             px, py = nearest(noses[nose], balls[who, X], balls[who, Y])
-            speed = meet_nose(balls[who], world, px, py)
+            speed = meet_nose(balls[who], world, noses[nose], px, py)
             note(events, counts, NOSE, now, who, float(nose), speed)
         else:
             _advance(balls[who], kinds[who], world, pieces, counts, who, now)
@@ -218,7 +225,7 @@ def _meet(
         if kinds[i] == FLY:
             _advance(balls[i], kinds[i], world, pieces, counts, i, now)
         else:
-            move(balls, kinds, world, pieces, counts, i, now)
+            move(balls, kinds, pieces, counts, i, now)
     first, second = _faster_first(balls, min(who, other), max(who, other))
     one, two = min(who, other), max(who, other)
     speed = meet_ball(balls[one], balls[two], kinds[one], kinds[two], world)

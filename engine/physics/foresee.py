@@ -16,6 +16,12 @@ from engine.physics.state import (
     END,
     FAST,
     GONE,
+    K_DROP,
+    K_DROP_TIME,
+    K_NOSE,
+    K_NOSE_TIME,
+    K_PAIR,
+    K_PAIR_TIME,
     REST,
     ROLL,
     SLIDE,
@@ -31,10 +37,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
-
-K_NOSE_TIME, K_DROP_TIME, K_PAIR_TIME, K_NOSE, K_DROP, K_PAIR = range(6)
-FORESEEN_WIDTH = 6
-"""Columns of what is foreseen: times, and the nose, drop and ball they are about."""
 
 
 @njit(cache=True, error_model="numpy")
@@ -138,4 +140,4 @@ def _earliest_partner(pairs: Floats, foreseen: Floats, i: int) -> None:
             row[K_PAIR_TIME], row[K_PAIR] = pairs[i, j], j
 
 
-__all__ = ["FORESEEN_WIDTH", "K_DROP", "K_NOSE", "K_PAIR", "foresee", "next_event"]
+__all__ = ["foresee", "next_event"]

@@ -13,25 +13,24 @@ from typing import TYPE_CHECKING
 
 from numba import njit
 
-from engine.physics.collide import friction, kick, scale_spin, spin_energy
+from engine.physics.collide import friction, grip, kick, restitution, scale_spin, spin_energy
 from engine.physics.rebound import bounce
 from engine.physics.state import (
     ELASTIC,
     FLY,
     G_BALL_BALL,
     G_BED,
-    G_E,
-    G_FRICTION,
     G_GRAVITY,
-    G_KNEE,
     G_NOSE,
-    G_RUBBER,
-    G_SLIDING,
-    G_SLOPE,
     HOP,
     KICK,
     MASS,
+    N_E,
+    N_KNEE,
+    N_RUB,
+    N_SLOPE,
     RADIUS,
+    SLIDING,
     SOFT,
     VX,
     VY,
@@ -72,7 +71,7 @@ def meet_bed(ball: Floats, world: Floats) -> float:
     ux, uy = ball[VX] - ball[RADIUS] * ball[WY], ball[VY] + ball[RADIUS] * ball[WX]
     slip = sqrt(ux * ux + uy * uy)
     if slip > 0.0:
-        change = min(world[G_SLIDING] * (down + rise), slip / 3.5)
+        change = min(ball[SLIDING] * (down + rise), slip / 3.5)
         ux, uy = ux / slip, uy / slip
         ball[VX] -= change * ux
         ball[VY] -= change * uy
@@ -98,7 +97,7 @@ def _push(ball: Floats, jx: float, jy: float, jz: float) -> None:
 
 
 @njit(cache=True, error_model="numpy")
-def meet_nose(ball: Floats, world: Floats, px: float, py: float) -> float:
+def meet_nose(ball: Floats, world: Floats, nose: Floats, px: float, py: float) -> float:
     """Resolve a hit on the nose's point above (px, py); return the closing speed, m/s."""
     dx, dy, dz = px - ball[X], py - ball[Y], world[G_NOSE] - ball[Z]
     level = sqrt(dx * dx + dy * dy)
@@ -108,26 +107,26 @@ def meet_nose(ball: Floats, world: Floats, px: float, py: float) -> float:
     if ball[Z] < ball[RADIUS] + SKIM and level > 0.0:
         ix, iy = dx / level, dy / level
         if ball[VX] * ix + ball[VY] * iy >= SOFT:
-            bounce(ball, world, ix, iy)
+            bounce(ball, world, nose, ix, iy)
     left = ball[VX] * nx + ball[VY] * ny + ball[VZ] * nz
     if left > 0.0:
-        _off_nose(ball, world, nx, ny, nz, left)
+        _off_nose(ball, nose, nx, ny, nz, left)
     return speed
 
 
 @njit(cache=True, error_model="numpy")
-def _off_nose(ball: Floats, world: Floats, nx: float, ny: float, nz: float, speed: float) -> None:
-    restitution = world[G_RUBBER] - world[G_SLOPE] * max(0.0, speed - world[G_KNEE])
-    restitution = min(max(restitution, 0.0), 1.0) if speed >= LIGHT else 1.0
+def _off_nose(ball: Floats, nose: Floats, nx: float, ny: float, nz: float, speed: float) -> None:
+    lively = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
+    lively = min(max(lively, 0.0), 1.0) if speed >= LIGHT else 1.0
     mass, radius = ball[MASS], ball[RADIUS]
-    pressed = (1.0 + restitution) * speed * mass
+    pressed = (1.0 + lively) * speed * mass
     sx = ball[VX] + radius * (ball[WY] * nz - ball[WZ] * ny) - speed * nx
     sy = ball[VY] + radius * (ball[WZ] * nx - ball[WX] * nz) - speed * ny
     sz = ball[VZ] + radius * (ball[WX] * ny - ball[WY] * nx) - speed * nz
     _push(ball, -pressed * nx, -pressed * ny, -pressed * nz)
     slip = sqrt(sx * sx + sy * sy + sz * sz)
     if slip > 1e-15:
-        rub = -min(world[G_FRICTION] * pressed, mass * slip / 3.5) / slip
+        rub = -min(nose[N_RUB] * pressed, mass * slip / 3.5) / slip
         _push(ball, rub * sx, rub * sy, rub * sz)
         _turn(ball, nx, ny, nz, rub * sx, rub * sy, rub * sz)
 
@@ -152,7 +151,7 @@ def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Flo
     speed = nearing(one, two)
     light = (1.0 - (nz * nz if kind_one != FLY and nz > 0.0 else 0.0)) / one[MASS]
     light += (1.0 - (nz * nz if kind_two != FLY and nz < 0.0 else 0.0)) / two[MASS]
-    leaving = world[G_E] * speed if speed >= LIGHT else speed
+    leaving = restitution(one, two, world) * speed if speed >= LIGHT else speed
     if speed < KICK:
         leaving, factor = kick(speed, 1.0 / light, spin_energy(one) + spin_energy(two))
         scale_spin(one, factor)
@@ -164,7 +163,8 @@ def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Flo
     slip = sqrt(sx * sx + sy * sy + sz * sz)
     if world[G_BALL_BALL] != ELASTIC and slip > 1e-15:
         reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
-        rub = -min(friction(world, slip) * impulse, reduced * slip / 3.5) / slip
+        rubbed = grip(one, two) * friction(world, slip) * impulse
+        rub = -min(rubbed, reduced * slip / 3.5) / slip
         _push(one, rub * sx, rub * sy, rub * sz)
         _push(two, -rub * sx, -rub * sy, -rub * sz)
         _turn(one, nx, ny, nz, rub * sx, rub * sy, rub * sz)

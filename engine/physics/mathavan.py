@@ -18,11 +18,8 @@ import numpy as np
 from numba import njit
 
 from engine.physics.state import (
-    G_FRICTION,
-    G_NOSE,
-    G_SLIDING,
     RADIUS,
-    REACH,
+    SLIDING,
     VX,
     VY,
     WX,
@@ -55,17 +52,24 @@ so far, the nose's work and its push p. The frame is X along the nose, Y into it
 
 
 @njit(cache=True, error_model="numpy")
-def mathavan(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) -> None:
-    """Resolve a hit on a nose in the direction (ix, iy)."""
+def mathavan(
+    ball: Floats,
+    where: tuple[float, float],
+    friction: float,
+    ix: float,
+    iy: float,
+    restitution: float,
+) -> None:
+    """Resolve a hit on a nose in the direction (ix, iy), touched at `where` (sine, cosine)."""
     radius = ball[RADIUS]
-    rise, level = (world[G_NOSE] - radius) / radius, ball[REACH] / radius
+    rise, level = where
     ax, ay = iy, -ix
     along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
     spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
     spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
     spin_z = radius * ball[WZ]
     before = along**2 + into**2 + 0.4 * (spin_x**2 + spin_y**2 + spin_z**2)
-    place = (rise, level, world[G_FRICTION], world[G_SLIDING], DEAD * into)
+    place = (rise, level, friction, ball[SLIDING], DEAD * into)
     y = np.zeros(10)
     y[NOSE_X], y[NOSE_T] = along + spin_y * rise - spin_z * level, spin_x - into * rise
     y[BED_X], y[BED_Y] = along - spin_y, into + spin_x

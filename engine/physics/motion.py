@@ -23,14 +23,14 @@ from engine.physics.state import (
     FAST,
     G_GRAVITY,
     G_MOTION,
-    G_ROLLING,
-    G_SLIDING,
-    G_SPIN,
     G_THRESHOLD,
     RADIUS,
     REST,
     ROLL,
+    ROLLING_MU,
     SLIDE,
+    SLIDING,
+    SLOWING,
     SPIN,
     STILL,
     T0,
@@ -52,20 +52,20 @@ if TYPE_CHECKING:
 
 
 @njit(cache=True, error_model="numpy")
-def side_spin(ball: Floats, world: Floats, t: float) -> float:
+def side_spin(ball: Floats, t: float) -> float:
     """Return w_z at absolute time `t`: a linear decay that ends at zero."""
     spin: float = ball[WZ]
     if spin == 0.0 or t >= ball[CEASE]:
         return 0.0
-    lost = world[G_SPIN] * (t - ball[T0])
+    lost = ball[SLOWING] * (t - ball[T0])
     return max(spin - lost, 0.0) if spin > 0.0 else min(spin + lost, 0.0)
 
 
 @njit(cache=True, error_model="numpy")
-def carry(ball: Floats, world: Floats, t: float) -> None:
+def carry(ball: Floats, t: float) -> None:
     """Move the row's origin to absolute time `t`, by its own formula; the kind stays."""
     s = t - ball[T0]
-    ball[WZ] = side_spin(ball, world, t)
+    ball[WZ] = side_spin(ball, t)
     ball[X] += s * (ball[VX] + 0.5 * s * ball[AX])
     ball[Y] += s * (ball[VY] + 0.5 * s * ball[AY])
     ball[VX] += s * ball[AX]
@@ -78,7 +78,7 @@ def carry(ball: Floats, world: Floats, t: float) -> None:
 @njit(cache=True, error_model="numpy")
 def begin(ball: Floats, world: Floats) -> int:
     """Choose the piece that starts from the row's r, v, w at T0; fill rates and END."""
-    radius, rate = ball[RADIUS], world[G_SPIN]
+    radius, rate = ball[RADIUS], ball[SLOWING]
     ball[CEASE] = ball[T0] + abs(ball[WZ]) / rate
     speed = sqrt(ball[VX] * ball[VX] + ball[VY] * ball[VY])
     if world[G_MOTION] == TWO_SPEED:
@@ -88,14 +88,14 @@ def begin(ball: Floats, world: Floats) -> int:
     ux, uy = ball[VX] - radius * ball[WY], ball[VY] + radius * ball[WX]
     slip = sqrt(ux * ux + uy * uy)
     if slip > STILL:
-        push = world[G_SLIDING] * world[G_GRAVITY]
+        push = ball[SLIDING] * world[G_GRAVITY]
         ball[AX], ball[AY] = -push * ux / slip, -push * uy / slip
         twist = 2.5 * push / radius
         ball[BX], ball[BY] = -twist * uy / slip, twist * ux / slip
         ball[END] = ball[T0] + slip / (3.5 * push)
         return SLIDE
     if speed > STILL:
-        return _roll(ball, world[G_ROLLING] * world[G_GRAVITY], speed, 0.0)
+        return _roll(ball, ball[ROLLING_MU] * world[G_GRAVITY], speed, 0.0)
     return _stand(ball)
 
 
@@ -113,8 +113,8 @@ def _roll(ball: Floats, push: float, speed: float, until: float) -> int:
 def _two_speed(ball: Floats, world: Floats, speed: float) -> int:
     """Choose the 2012 report's branch: full friction above the threshold, rolling below."""
     if speed > world[G_THRESHOLD] + STILL:
-        return _roll(ball, world[G_SLIDING] * world[G_GRAVITY], speed, world[G_THRESHOLD])
-    return _roll(ball, world[G_ROLLING] * world[G_GRAVITY], speed, 0.0)
+        return _roll(ball, ball[SLIDING] * world[G_GRAVITY], speed, world[G_THRESHOLD])
+    return _roll(ball, ball[ROLLING_MU] * world[G_GRAVITY], speed, 0.0)
 
 
 @njit(cache=True, error_model="numpy")
@@ -136,19 +136,19 @@ def finish(ball: Floats, world: Floats, kind: int) -> int:
         # Coriolis: the end of slip depends on the start alone, not on the cloth
         vx = (5.0 * ball[VX] + 2.0 * radius * ball[WY]) / 7.0
         vy = (5.0 * ball[VY] - 2.0 * radius * ball[WX]) / 7.0
-        carry(ball, world, end)
+        carry(ball, end)
         ball[VX], ball[VY] = vx, vy
         ball[WX], ball[WY] = -vy / radius, vx / radius
     elif kind == FAST:
         speed = sqrt(ball[VX] * ball[VX] + ball[VY] * ball[VY])
         vx, vy = ball[VX] / speed, ball[VY] / speed
-        carry(ball, world, end)
+        carry(ball, end)
         ball[VX], ball[VY] = vx * world[G_THRESHOLD], vy * world[G_THRESHOLD]
     elif kind == ROLL:
-        carry(ball, world, end)
+        carry(ball, end)
         ball[VX] = ball[VY] = ball[WX] = ball[WY] = 0.0
     else:
-        carry(ball, world, end)
+        carry(ball, end)
         ball[WZ] = 0.0
     return begin(ball, world)
 

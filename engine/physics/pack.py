@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.table.furniture import Straight
+from engine.table.furniture import Curve, Straight
+from engine.table.pin import meeting
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,7 +24,16 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from engine.physics.world import Ball, Layout, World
-    from engine.table.furniture import BallId, Curve, CushionId, PocketId, Point, Shape, Table
+    from engine.table.furniture import (
+        BallId,
+        CushionId,
+        PinId,
+        PocketId,
+        Point,
+        Rubber,
+        Shape,
+        Table,
+    )
 
 MOTIONS = {"slide-roll": state.SLIDE_ROLL, "two-speed": state.TWO_SPEED}
 BALL_BALLS = {"elastic": state.ELASTIC, "frictional": state.FRICTIONAL}
@@ -33,17 +43,19 @@ CUSHIONS = {
     "mathavan-2010": state.MATHAVAN,
 }
 STRIKES = ("point",)
-POCKETS = ("drop-edge",)
+POCKETS = {"drop-edge": state.DROP_EDGE}
+CLUSTERS = {"hertz": state.HERTZ}
 FLIGHTS = ("ballistic", "none")
 OVERLAP = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
 class Owner:
-    """What a nose belongs to: a cushion, or a pocket's jaw."""
+    """What a nose belongs to: a cushion, a pocket's jaw, or a pin."""
 
     cushion: CushionId | None
     pocket: PocketId | None
+    pin: PinId | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,43 +98,114 @@ _kept: dict[int, Packed] = {}
 def _pack(world: World) -> Packed:
     numbers = pack_world(world)
     noses, owners = pack_noses(world.table)
+    pins, pinned = pack_pins(world)
+    noses, owners = np.concatenate([noses, pins]), (*owners, *pinned)
+    give_rubber(world, noses, owners)
     rows = np.zeros((len(world.balls), state.BALL_WIDTH))
     rows[:, state.END] = np.inf
     for row, ball in zip(rows, world.balls, strict=True):
-        row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
-        row[state.Z] = ball.radius
-        row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
+        _pack_ball(row, ball, world)
     return Packed(
         world=world,
         numbers=numbers,
         noses=noses,
         owners=owners,
-        drops=pack_pockets(world.table),
+        drops=pack_pockets(world),
         drop_ids=tuple(pocket.id for pocket in world.table.pockets),
         index=MappingProxyType({ball.id: i for i, ball in enumerate(world.balls)}),
         rows=rows,
     )
 
 
+def _pack_ball(row: NDArray[np.float64], ball: Ball, world: World) -> None:
+    cloth = world.cloth
+    row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
+    row[state.Z] = ball.radius
+    row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
+    row[state.SLIDING] = _own(ball.sliding, cloth.sliding)
+    row[state.ROLLING_MU] = _own(ball.rolling, cloth.rolling)
+    row[state.SLOWING] = _own(ball.spin_deceleration, cloth.spin_deceleration)
+    usual = world.contact.restitution
+    row[state.LIVELY] = _own(ball.restitution, usual) - usual
+    row[state.GRIP] = ball.grip - 1.0
+
+
+def _own(own: float | None, usual: float) -> float:
+    return usual if own is None else own
+
+
+def give_rubber(world: World, noses: NDArray[np.float64], owners: tuple[Owner, ...]) -> None:
+    """Fill in the rubber and the model of every nose, in place: its owner's or the world's."""
+    table, models = world.table, world.models
+    cushions = {cushion.id: cushion for cushion in table.cushions}
+    pockets = {pocket.id: pocket for pocket in table.pockets}
+    pins = {pin.id: number for number, pin in enumerate(table.pins)}
+    for row, owner in zip(noses, owners, strict=True):
+        rubber, name = world.rubber, models.ball_cushion
+        row[state.N_PIN] = -1.0
+        if owner.pin is not None:
+            number = pins[owner.pin]
+            pin = table.pins[number]
+            row[state.N_PIN], row[state.N_UPRIGHT] = number, 1.0
+            row[state.N_E], row[state.N_MODEL] = pin.restitution, state.RESTITUTION
+            continue
+        if owner.cushion is not None:
+            cushion = cushions[owner.cushion]
+            rubber, name = cushion.rubber or rubber, cushion.model or name
+            row[state.N_UPRIGHT] = 1.0 if cushion.upright else 0.0
+        elif owner.pocket is not None:
+            rubber = pockets[owner.pocket].rubber or rubber
+        _cover(row, rubber, name)
+
+
+def _cover(row: NDArray[np.float64], rubber: Rubber, model: str) -> None:
+    row[state.N_E], row[state.N_SLOPE] = rubber.restitution, rubber.restitution_slope
+    row[state.N_KNEE], row[state.N_RUB] = rubber.restitution_knee, rubber.friction
+    row[state.N_MODEL] = _choose(CUSHIONS, model, "ball_cushion")
+
+
+def pack_rubber(world: World) -> NDArray[np.float64]:
+    """Return a nose's row (N_*) with the world's rubber and model, and no place."""
+    row = np.zeros(state.NOSE_WIDTH)
+    row[state.N_PIN] = -1.0
+    _cover(row, world.rubber, world.models.ball_cushion)
+    return row
+
+
+def refuse_rare(world: Packed) -> None:
+    """Raise ValueError where a model is chosen that the solvers with a step do not know."""
+    numbers, noses = world.numbers, world.noses
+    if numbers[state.G_BALL_BALL] > state.FRICTIONAL:
+        what = world.world.models.ball_ball
+    elif (noses[:, state.N_MODEL] > state.MATHAVAN).any():
+        what = world.world.models.ball_cushion
+    elif (noses[:, state.N_PIN] >= 0.0).any():
+        what = "pins"
+    elif (world.drops[:, state.D_MODEL] != state.DROP_EDGE).any():
+        what = world.world.models.pocket
+    else:
+        return
+    message = f"the solver {world.world.models.solver} does not know {what}"
+    raise ValueError(message)
+
+
 def pack_world(world: World) -> NDArray[np.float64]:
     """Return the world's numbers, columns G_*; raises ValueError for what cannot be."""
-    cloth, contact, rubber, table = world.cloth, world.contact, world.rubber, world.table
+    cloth, contact, table = world.cloth, world.contact, world.table
     _check_world(world)
     reach = max((ball.radius for ball in world.balls), default=0.0) * 8.0
-    row = np.zeros(20)
-    row[state.G_SLIDING], row[state.G_ROLLING] = cloth.sliding, cloth.rolling
-    row[state.G_SPIN], row[state.G_THRESHOLD] = cloth.spin_deceleration, cloth.threshold
-    row[state.G_GRAVITY], row[state.G_E] = cloth.gravity, contact.restitution
+    row = np.zeros(state.WORLD_WIDTH)
+    row[state.G_THRESHOLD], row[state.G_GRAVITY] = cloth.threshold, cloth.gravity
     row[state.G_FLOOR], row[state.G_RISE] = contact.friction_floor, contact.friction_rise
-    row[state.G_DECAY], row[state.G_RUBBER] = contact.friction_decay, rubber.restitution
-    row[state.G_SLOPE], row[state.G_KNEE] = rubber.restitution_slope, rubber.restitution_knee
-    row[state.G_FRICTION], row[state.G_NOSE] = rubber.friction, table.nose_height
+    row[state.G_DECAY], row[state.G_NOSE] = contact.friction_decay, table.nose_height
+    row[state.G_E], row[state.G_TOUCH] = contact.restitution, contact.cluster_gap
     models = world.models
     row[state.G_MOTION] = _choose(MOTIONS, models.motion, "motion")
     row[state.G_BALL_BALL] = _choose(BALL_BALLS, models.ball_ball, "ball_ball")
-    row[state.G_CUSHION] = _choose(CUSHIONS, models.ball_cushion, "ball_cushion")
+    row[state.G_CLUSTER] = _choose(CLUSTERS, models.cluster, "cluster")
+    _choose(CUSHIONS, models.ball_cushion, "ball_cushion")
     _choose(dict.fromkeys(STRIKES, 0), models.strike, "strike")
-    _choose(dict.fromkeys(POCKETS, 0), models.pocket, "pocket")
+    _choose(POCKETS, models.pocket, "pocket")
     _choose(dict.fromkeys(FLIGHTS, 0), models.flight, "flight")
     row[state.G_OUT_X] = table.length / 2.0 + reach
     row[state.G_OUT_Y] = table.width / 2.0 + reach
@@ -149,18 +232,40 @@ def _check_world(world: World) -> None:
     for ball in world.balls:
         above[f"radius of {ball.id}"] = ball.radius
         above[f"mass of {ball.id}"] = ball.mass
+        above[f"sliding friction of {ball.id}"] = _own(ball.sliding, cloth.sliding)
+        above[f"rolling friction of {ball.id}"] = _own(ball.rolling, cloth.rolling)
+        above[f"spin deceleration of {ball.id}"] = _own(
+            ball.spin_deceleration, cloth.spin_deceleration
+        )
     for what, number in above.items():
         if not (isfinite(number) and number > 0.0):
             message = f"{what} must be above zero, not {number}"
             raise ValueError(message)
-    for what, number in (
-        ("ball on ball", world.contact.restitution),
-        ("ball on cushion", world.rubber.restitution),
-        ("ball on bed", cloth.bounce),
-    ):
+    for what, number in _restitutions(world):
         if not 0.0 <= number <= 1.0:
             message = f"the restitution of {what} lies between 0 and 1, not at {number}"
             raise ValueError(message)
+    for ball in world.balls:
+        if not (isfinite(ball.grip) and ball.grip >= 0.0):
+            message = f"the grip of {ball.id} is zero or more, not {ball.grip}"
+            raise ValueError(message)
+    if not 0.0 <= world.contact.cluster_gap <= 1e-3:
+        message = f"a cluster's gap lies between 0 and 1 mm, not at {world.contact.cluster_gap}"
+        raise ValueError(message)
+
+
+def _restitutions(world: World) -> list[tuple[str, float]]:
+    table = world.table
+    found = [
+        ("ball on ball", world.contact.restitution),
+        ("ball on cushion", world.rubber.restitution),
+        ("ball on bed", world.cloth.bounce),
+    ]
+    found += [(str(b.id), b.restitution) for b in world.balls if b.restitution is not None]
+    found += [(str(c.id), c.rubber.restitution) for c in table.cushions if c.rubber]
+    found += [(f"the jaws of {p.id}", p.rubber.restitution) for p in table.pockets if p.rubber]
+    found += [(str(p.id), p.restitution) for p in table.pockets]
+    return found + [(str(pin.id), pin.restitution) for pin in table.pins]
 
 
 def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArray[np.float64]]:
@@ -204,7 +309,10 @@ def _check_places(balls: tuple[Ball, ...], rows: NDArray[np.float64]) -> None:
 
 
 def pack_noses(table: Table) -> tuple[NDArray[np.float64], tuple[Owner, ...]]:
-    """Return the noses, columns N_*, and whose they are; free ends become points."""
+    """Return the noses, columns N_*, and whose they are; free ends become points.
+
+    What they are covered with is filled in by `give_rubber`.
+    """
     shapes: list[tuple[Shape, Owner]] = []
     for cushion in table.cushions:
         shapes += [(shape, Owner(cushion.id, None)) for shape in cushion.shapes]
@@ -217,7 +325,24 @@ def pack_noses(table: Table) -> tuple[NDArray[np.float64], tuple[Owner, ...]]:
             continue
         rows.append(_pack_point(point))
         owners.append(owner)
-    return np.array(rows).reshape(len(rows), 11), tuple(owners)
+    return _widen(rows), tuple(owners)
+
+
+def _widen(rows: list[list[float]]) -> NDArray[np.float64]:
+    noses = np.zeros((len(rows), state.NOSE_WIDTH))
+    noses[:, : state.N_E] = np.array(rows).reshape(len(rows), state.N_E)
+    noses[:, state.N_PIN] = -1.0
+    return noses
+
+
+def pack_pins(world: World) -> tuple[NDArray[np.float64], tuple[Owner, ...]]:
+    """Return the pins as upright round noses, as wide as the largest ball finds them."""
+    radius = max((ball.radius for ball in world.balls), default=0.0)
+    rows = []
+    for pin in world.table.pins:
+        size = max(meeting(pin.profile, radius)[0] - radius, 0.0)
+        rows.append(_pack_curve(Curve(pin.at, size, 0.0, -2.0 * pi)))
+    return _widen(rows), tuple(Owner(None, None, pin.id) for pin in world.table.pins)
 
 
 def _covered(point: Point, centre: Point, radius: float) -> bool:
@@ -300,19 +425,34 @@ def _on(shape: Curve, angle: float) -> tuple[Point, float]:
     return (x, y), angle + (pi / 2.0 if shape.sweep > 0.0 else -pi / 2.0)
 
 
-def pack_pockets(table: Table) -> NDArray[np.float64]:
-    """Return the drop circles as rows of x, y, radius (m)."""
-    rows = [(*pocket.centre, pocket.radius) for pocket in table.pockets]
-    return np.array(rows, dtype=np.float64).reshape(len(rows), 3)
+def pack_pockets(world: World) -> NDArray[np.float64]:
+    """Return the pockets, columns D_*."""
+    rows = [
+        (
+            *pocket.centre,
+            pocket.radius,
+            _choose(POCKETS, pocket.model or world.models.pocket, "pocket"),
+            pocket.lip,
+            pocket.rim,
+            pocket.restitution,
+            pocket.friction,
+        )
+        for pocket in world.table.pockets
+    ]
+    return np.array(rows, dtype=np.float64).reshape(len(rows), state.DROP_WIDTH)
 
 
 __all__ = [
     "Owner",
     "Packed",
+    "give_rubber",
     "nose_reach",
     "pack_noses",
+    "pack_pins",
     "pack_pockets",
+    "pack_rubber",
     "pack_world",
     "packed",
     "place_balls",
+    "refuse_rare",
 ]

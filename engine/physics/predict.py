@@ -28,6 +28,7 @@ from engine.physics.state import (
     N_LOY,
     N_SIZE,
     N_SPAN,
+    N_UPRIGHT,
     N_X,
     N_Y,
     RADIUS,
@@ -154,7 +155,7 @@ def pocket_time(ball: Floats, px: float, py: float, radius: float) -> float:
 
 @njit(cache=True, error_model="numpy")
 def swept_box(ball: Floats, last: float, box: Floats) -> None:
-    """Fill `box` with the low and high x and y of the ball's path, grown by its reach.
+    """Fill `box` with the low and high x and y of the ball's path, grown by its radius.
 
     The path is that of the next `last` seconds.
     """
@@ -167,7 +168,7 @@ def swept_box(ball: Floats, last: float, box: Floats) -> None:
             if 0.0 < turn < last:
                 peak = r + 0.5 * turn * v
                 low, high = min(low, peak), max(high, peak)
-        box[axis], box[2 + axis] = low - ball[REACH] - 1e-6, high + ball[REACH] + 1e-6
+        box[axis], box[2 + axis] = low - ball[RADIUS] - 1e-6, high + ball[RADIUS] + 1e-6
 
 
 @njit(cache=True, error_model="numpy")
@@ -187,7 +188,7 @@ def nose_time(ball: Floats, nose: Floats, last: float, box: Floats) -> float:
 def _line_time(ball: Floats, nose: Floats, last: float) -> float:
     nx, ny = -nose[N_DY], nose[N_DX]
     x, y = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
-    gap = x * nx + y * ny - ball[REACH]
+    gap = x * nx + y * ny - (ball[RADIUS] if nose[N_UPRIGHT] != 0.0 else ball[REACH])
     speed = ball[VX] * nx + ball[VY] * ny
     pull = 0.5 * (ball[AX] * nx + ball[AY] * ny)
     at = x * nose[N_DX] + y * nose[N_DY]
@@ -220,7 +221,8 @@ def _arc_time(ball: Floats, nose: Floats, last: float) -> float:
     cx, cy = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
     ax, ay = 0.5 * ball[AX], 0.5 * ball[AY]
     inside = nose[N_SIZE] < 0.0
-    distance = abs(nose[N_SIZE]) - ball[REACH] if inside else nose[N_SIZE] + ball[REACH]
+    own = ball[RADIUS] if nose[N_UPRIGHT] != 0.0 else ball[REACH]
+    distance = abs(nose[N_SIZE]) - own if inside else nose[N_SIZE] + own
     sign = -1.0 if inside else 1.0
     if not inside and passes_by(cx, cy, ball[VX], ball[VY], ax, ay, distance, last):
         return NEVER

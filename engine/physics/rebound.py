@@ -15,16 +15,17 @@ from numba import njit
 from engine.physics.collide import kick, scale_spin, spin_energy
 from engine.physics.mathavan import mathavan
 from engine.physics.state import (
-    G_CUSHION,
-    G_FRICTION,
-    G_KNEE,
     G_NOSE,
-    G_RUBBER,
-    G_SLOPE,
     HAN,
     KICK,
     MASS,
+    N_E,
+    N_KNEE,
+    N_MODEL,
+    N_RUB,
     N_SIZE,
+    N_SLOPE,
+    N_UPRIGHT,
     RADIUS,
     REACH,
     RESTITUTION,
@@ -47,7 +48,7 @@ HUG = 0.01
 
 
 @njit(cache=True, error_model="numpy")
-def bounce(ball: Floats, world: Floats, ix: float, iy: float) -> float:
+def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> float:
     """Resolve a hit on a nose that lies in the direction (ix, iy); return the normal speed."""
     speed = ball[VX] * ix + ball[VY] * iy
     if speed < SOFT:
@@ -55,15 +56,15 @@ def bounce(ball: Floats, world: Floats, ix: float, iy: float) -> float:
         ball[VX] -= (speed + leaving) * ix
         ball[VY] -= (speed + leaving) * iy
         return speed
-    restitution = world[G_RUBBER] - world[G_SLOPE] * max(0.0, speed - world[G_KNEE])
+    restitution = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
     restitution = min(max(restitution, 0.0), 1.0)
-    if world[G_CUSHION] == RESTITUTION:
+    if nose[N_MODEL] == RESTITUTION:
         ball[VX] -= (1.0 + restitution) * speed * ix
         ball[VY] -= (1.0 + restitution) * speed * iy
-    elif world[G_CUSHION] == HAN:
-        _han(ball, world, ix, iy, restitution)
+    elif nose[N_MODEL] == HAN:
+        _han(ball, lean(ball, world, nose), nose[N_RUB], ix, iy, restitution)
     else:
-        mathavan(ball, world, ix, iy, restitution)
+        mathavan(ball, lean(ball, world, nose), nose[N_RUB], ix, iy, restitution)
     return speed
 
 
@@ -82,7 +83,15 @@ def meet_nose(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -
         ball[VX] = share * along * iy - hop * ix
         ball[VY] = -share * along * ix - hop * iy
         return 0.0
-    return bounce(ball, world, ix, iy)
+    return bounce(ball, world, nose, ix, iy)
+
+
+@njit(cache=True, error_model="numpy")
+def lean(ball: Floats, world: Floats, nose: Floats) -> tuple[float, float]:
+    """Return sine and cosine of the angle above its centre at which a nose touches the ball."""
+    if nose[N_UPRIGHT] != 0.0:
+        return 0.0, 1.0
+    return (world[G_NOSE] - ball[RADIUS]) / ball[RADIUS], ball[REACH] / ball[RADIUS]
 
 
 @njit(cache=True, error_model="numpy")
@@ -96,11 +105,17 @@ def _rest(ball: Floats, speed: float) -> float:
 
 
 @njit(cache=True, error_model="numpy")
-def _han(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) -> None:
+def _han(
+    ball: Floats,
+    place: tuple[float, float],
+    friction: float,
+    ix: float,
+    iy: float,
+    restitution: float,
+) -> None:
     """Han 2005 with the corrected equations: one free-body impulse, stick or slip as a whole."""
     radius = ball[RADIUS]
-    rise = (world[G_NOSE] - radius) / radius
-    level = ball[REACH] / radius
+    rise, level = place
     ax, ay = iy, -ix
     along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
     spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
@@ -110,7 +125,7 @@ def _han(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) 
     slip_t = spin_x - into * rise
     slip = sqrt(slip_x * slip_x + slip_t * slip_t)
     pressed = (1.0 + restitution) * into * level
-    push = min(world[G_FRICTION] * pressed, slip / 3.5)
+    push = min(friction * pressed, slip / 3.5)
     px = -push * slip_x / slip if slip > 0.0 else 0.0
     pt = -push * slip_t / slip if slip > 0.0 else 0.0
     along += px
@@ -124,4 +139,4 @@ def _han(ball: Floats, world: Floats, ix: float, iy: float, restitution: float) 
     ball[WZ] = spin_z / radius
 
 
-__all__ = ["bounce", "meet_nose"]
+__all__ = ["bounce", "lean", "meet_nose"]

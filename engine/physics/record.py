@@ -23,6 +23,7 @@ from engine.physics.state import (
     E_SPEED,
     E_TIME,
     END,
+    EVENTS,
     G_OUT_X,
     G_OUT_Y,
     GONE,
@@ -50,6 +51,7 @@ from engine.physics.state import (
     P_X,
     P_Y,
     P_Z,
+    PIECES,
     REST,
     ROLL,
     ROLLING,
@@ -73,15 +75,11 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
 
-PIECES, EVENTS, STARTED, CAP = range(4)
-"""Counts: rows of both buffers, whether (or how far) the shot has started, and the event cap."""
-
 
 @njit(cache=True, error_model="numpy")
 def move(
     balls: Floats,
     kinds: Ints,
-    world: Floats,
     pieces: Floats,
     counts: Ints,
     i: int,
@@ -89,7 +87,7 @@ def move(
 ) -> None:
     """Close the ball's piece and carry its origin to `now`."""
     close(balls[i], kinds[i], pieces, counts, i, now)
-    carry(balls[i], world, now)
+    carry(balls[i], now)
 
 
 @njit(cache=True, error_model="numpy")
@@ -121,14 +119,13 @@ def note(
 def drop(
     balls: Floats,
     kinds: Ints,
-    world: Floats,
     pieces: Floats,
     counts: Ints,
     who: int,
     now: float,
 ) -> None:
     """Take a ball off the bed where it is."""
-    move(balls, kinds, world, pieces, counts, who, now)
+    move(balls, kinds, pieces, counts, who, now)
     kinds[who] = GONE
     ball = balls[who]
     ball[VX] = ball[VY] = ball[WX] = ball[WY] = ball[WZ] = 0.0
@@ -172,7 +169,7 @@ def change(
     close(ball, before, pieces, counts, who, end)
     kinds[who] = finish(ball, world, before)
     if abs(ball[X]) > world[G_OUT_X] or abs(ball[Y]) > world[G_OUT_Y]:
-        drop(balls, kinds, world, pieces, counts, who, end)
+        drop(balls, kinds, pieces, counts, who, end)
         note(events, counts, LEFT, end, who, -1.0, 0.0)
     elif kinds[who] == ROLL:
         note(events, counts, ROLLING, end, who, -1.0, 0.0)
@@ -181,10 +178,6 @@ def change(
 
 
 __all__ = [
-    "CAP",
-    "EVENTS",
-    "PIECES",
-    "STARTED",
     "change",
     "close",
     "drop",

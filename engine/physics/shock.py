@@ -15,11 +15,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
-from engine.physics.collide import find_rub, give_rub
+from engine.physics.collide import find_rub, give_rub, restitution
 from engine.physics.state import (
     ELASTIC,
     G_BALL_BALL,
-    G_E,
     MASS,
     RADIUS,
     SOFT,
@@ -42,6 +41,8 @@ STIFFNESS = 8.0586699e8
 """K of two phenolic balls, N/m^1.5; no result but the balls' tiny way depends on it."""
 
 TOUCH = 2e-6
+"""Balls with a gap no wider than this (m) push each other as they lie."""
+
 NEARBY = 1e-3
 STEPS, WEAK_STEPS = 150, 30
 """Steps in the time that two balls touch."""
@@ -56,8 +57,10 @@ fast they neared; whether they touch; and of this step the normal and the fricti
 
 
 @njit(cache=True, error_model="numpy")
-def gather(balls: Floats, present: Ints, first: int, second: int, members: Ints) -> int:
-    """Fill `members` with all that touch `first` or `second`, by touch; return how many."""
+def gather(
+    balls: Floats, present: Ints, first: int, second: int, members: Ints, touch: float
+) -> int:
+    """Fill `members` with all within `touch` (m) of one another, from the two; return how many."""
     n = balls.shape[0]
     inside = np.zeros(n, dtype=np.bool_)
     inside[first] = inside[second] = True
@@ -68,7 +71,7 @@ def gather(balls: Floats, present: Ints, first: int, second: int, members: Ints)
             if not inside[i]:
                 continue
             for j in range(n):
-                if present[j] == 0 or inside[j] or _gap(balls[i], balls[j]) > TOUCH:
+                if present[j] == 0 or inside[j] or _gap(balls[i], balls[j]) > touch:
                     continue
                 inside[j] = grew = True
     count = 0
@@ -208,7 +211,8 @@ def _push(
         nearing = _nearing(balls, row, nx, ny)
         row[C_SPEED] = max(row[C_SPEED], nearing)
         row[C_UX], row[C_UY] = nx, ny
-        part = 1.0 if nearing > 0.0 else world[G_E] * world[G_E]
+        e = restitution(balls[a], balls[b], world)
+        part = 1.0 if nearing > 0.0 else e * e
         force[c] = part * STIFFNESS * depth * sqrt(depth)
     rubs = world[G_BALL_BALL] != ELASTIC
     for c in range(contacts.shape[0]):
@@ -274,4 +278,4 @@ def _forbid_gain(balls: Floats, members: Ints, count: int, before: float) -> Non
         ball[VY] = cy + factor * (ball[VY] - cy)
 
 
-__all__ = ["CONTACT_WIDTH", "C_A", "C_B", "C_ORDER", "C_SPEED", "TOUCH", "gather", "spread"]
+__all__ = ["CONTACT_WIDTH", "C_A", "C_B", "C_ORDER", "C_SPEED", "gather", "spread"]

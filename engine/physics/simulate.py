@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.pack import packed, place_balls
+from engine.physics.pack import packed, place_balls, refuse_rare
 from engine.physics.strike import strike_ball
 from engine.physics.trace import Trace
 
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 EVENT_CAP = 100_000
-DOWN = 4
-"""What `engine.physics.flight` answers when no ball flies any more."""
-
 STEP = 1.0 / 60.0
 """Time step (s) of the solvers that have one."""
 
@@ -69,16 +66,22 @@ class Simulation:
         self._world, self._layout, self._ball, self._strike = world, layout, ball, strike
         self._step = step
         self._packed = packed(world)
+        if world.models.solver in FIXED:
+            refuse_rare(self._packed)
         self._balls, self._rows = place_balls(self._packed, layout)
         self._kinds = np.full(len(self._balls), state.REST, dtype=np.int64)
         n = len(self._balls)
         self._pairs = np.full((n, n), inf)
-        self._foreseen = np.zeros((n, 6))
+        self._foreseen = np.zeros((n, state.FORESEEN_WIDTH))
         self._foreseen[:, :3] = inf
         self._pieces = np.empty((2 * n * n + 256, state.PIECE_WIDTH))
         self._events = np.empty((2 * n * n + 256, state.EVENT_WIDTH))
-        self._counts = np.array([0, 0, 0, EVENT_CAP], dtype=np.int64)
-        self._clock = np.zeros(2)
+        self._counts = np.array([0, 0, 0, EVENT_CAP, 0, 0, 0], dtype=np.int64)
+        self._clock = np.array([0.0, 0.0, inf])
+        self._noses = self._packed.noses
+        if world.table.pins:
+            self._noses = self._noses.copy()
+        self._memory: dict[str, object] = {}
         self.finished = False
         self._strike_one()
 
@@ -95,7 +98,7 @@ class Simulation:
 
     def advance(self, until: float) -> None:
         """Carry out all events up to `until` (s)."""
-        from engine.physics.stepwise import DONE, FULL, STORM  # noqa: PLC0415  numba
+        from engine.physics.stepwise import ASK, DONE, FULL, STORM  # noqa: PLC0415  numba
 
         while not self.finished:
             answer = self._run(until)
@@ -105,15 +108,55 @@ class Simulation:
                 self._pieces = np.concatenate([self._pieces, np.empty_like(self._pieces)])
                 self._events = np.concatenate([self._events, np.empty_like(self._events)])
                 continue
+            if answer == ASK:
+                self._answer()
+                continue
             self.finished = answer == DONE
             if not self.finished:
                 self._clock[1] = max(self._clock[1], until)
                 return
 
+    def _answer(self) -> None:
+        """Let an event that the kernels do not know be resolved, and go on after it."""
+        from engine.physics.asked import Asked, answer  # noqa: PLC0415  rarely needed
+        from engine.physics.stepwise import resume  # noqa: PLC0415  numba
+
+        world = self._packed
+        asked = Asked(
+            world=world,
+            balls=self._balls,
+            rows=self._rows,
+            kinds=self._kinds,
+            noses=self._noses,
+            foreseen=self._foreseen,
+            pieces=self._pieces,
+            events=self._events,
+            counts=self._counts,
+            clock=self._clock,
+            memory=self._memory,
+        )
+        answer(asked)
+        resume(
+            self._rows,
+            self._kinds,
+            world.numbers,
+            self._noses,
+            world.drops,
+            self._pairs,
+            self._foreseen,
+            self._pieces,
+            self._events,
+            self._counts,
+            self._clock,
+            asked.everyone,
+        )
+
     def _run(self, until: float) -> int:
         world = self._packed
-        arrays = (self._rows, self._kinds, world.numbers, world.noses, world.drops)
+        arrays = (self._rows, self._kinds, world.numbers, self._noses, world.drops)
         record = (self._pieces, self._events, self._counts, self._clock, until)
+        from engine.physics.stepwise import DOWN  # noqa: PLC0415  numba
+
         run, run_fixed = _kernels()
         solver = self._world.models.solver
         if solver == "stepwise":
@@ -136,7 +179,7 @@ class Simulation:
             log=self._events[: self._counts[1]].copy(),
             owners=self._packed.owners,
             pockets=self._packed.drop_ids,
-            spin_rate=self._world.cloth.spin_deceleration,
+            spin_rates=self._rows[:, state.SLOWING].copy(),
             gravity=self._world.cloth.gravity,
             duration=now,
         )

@@ -15,15 +15,11 @@ import numpy as np
 from numba import njit
 
 from engine.physics.collide import closing_speed, strike_apart
-from engine.physics.foresee import K_DROP, K_NOSE, K_PAIR, foresee, next_event
+from engine.physics.foresee import foresee, next_event
 from engine.physics.motion import begin
 from engine.physics.predict import NEVER
 from engine.physics.rebound import meet_nose
 from engine.physics.record import (
-    CAP,
-    EVENTS,
-    PIECES,
-    STARTED,
     change,
     drop,
     faster_first,
@@ -31,16 +27,44 @@ from engine.physics.record import (
     move,
     note,
 )
-from engine.physics.shock import C_A, C_B, C_ORDER, C_SPEED, CONTACT_WIDTH, TOUCH, gather, spread
+from engine.physics.shock import C_A, C_B, C_ORDER, C_SPEED, CONTACT_WIDTH, gather, spread
 from engine.physics.state import (
+    ASK_ALARM,
+    ASK_CLUSTER,
+    ASK_DROP,
+    ASK_NOSE,
+    ASK_OTHER,
+    ASK_PAIR,
+    ASK_WHAT,
+    ASK_WHO,
     AX,
     AY,
+    C_ALARM,
+    CAP,
+    D_MODEL,
+    DROP_EDGE,
     DROPPED,
+    EVENTS,
+    FLY,
+    FRICTIONAL,
+    G_BALL_BALL,
+    G_CLUSTER,
+    G_TOUCH,
     GONE,
+    HERTZ,
+    K_DROP,
+    K_NOSE,
+    K_PAIR,
+    K_TOUCHED,
+    MATHAVAN,
+    N_MODEL,
+    N_PIN,
     NOSE,
+    PIECES,
     RADIUS,
     REST,
     SOFT,
+    STARTED,
     STOPPED,
     T0,
     TOUCHING,
@@ -56,8 +80,9 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
 
-DONE, PAUSED, FULL, STORM = range(4)
-"""How a run ends: all at rest, `until` reached, buffers full, more events than the cap."""
+DONE, PAUSED, FULL, STORM, DOWN, ASK = range(6)
+"""How a run ends: all at rest, `until` reached, buffers full, more events than the cap, no ball
+flies any more (in `flight` alone), or an event that others resolve."""
 
 
 @njit(cache=True, error_model="numpy")
@@ -75,7 +100,7 @@ def run(
     clock: Floats,
     until: float,
 ) -> int:
-    """Carry out all events up to `until` (s); return DONE, PAUSED, FULL or STORM."""
+    """Carry out all events up to `until` (s); return DONE, PAUSED, FULL, STORM or ASK."""
     n = balls.shape[0]
     box = np.empty(4)
     spare = n * n + n + 8
@@ -94,6 +119,8 @@ def run(
         if counts[EVENTS] > counts[CAP]:
             return STORM
         tier, who, now = next_event(balls, kinds, foreseen)
+        if clock[C_ALARM] < now and clock[C_ALARM] <= until:
+            return ask(counts, clock, ASK_ALARM, -1, -1, clock[C_ALARM])
         if now == NEVER:
             return DONE
         if now > until:
@@ -101,7 +128,12 @@ def run(
         now = max(now, clock[0])
         clock[0] = now
         if tier == 0:
-            drop(balls, kinds, world, pieces, counts, who, now)
+            pocket = int(foreseen[who, K_DROP])
+            if pockets[pocket, D_MODEL] != DROP_EDGE:
+                move(balls, kinds, pieces, counts, who, now)
+                foreseen[who, K_TOUCHED] = 1.0
+                return ask(counts, clock, ASK_DROP, who, pocket, now)
+            drop(balls, kinds, pieces, counts, who, now)
             note(events, counts, DROPPED, now, who, foreseen[who, K_DROP], 0.0)
             foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
         elif tier == 1:
@@ -109,12 +141,21 @@ def run(
             count = _meet(
                 balls, kinds, world, pieces, events, counts, members, contacts, who, other, now
             )
+            if count < 0:
+                for p in range(-count):
+                    foreseen[members[p], K_TOUCHED] = 1.0
+                return ask(counts, clock, ASK_PAIR if count == -2 else ASK_CLUSTER, who, other, now)
             for p in range(count):
                 foresee(balls, kinds, noses, pockets, pairs, foreseen, members[p], now, box)
         elif tier == 2:
             nose = int(foreseen[who, K_NOSE])
-            move(balls, kinds, world, pieces, counts, who, now)
+            move(balls, kinds, pieces, counts, who, now)
             ix, iy = into(balls[who], noses[nose])
+            speed = balls[who, VX] * ix + balls[who, VY] * iy
+            rare = noses[nose, N_MODEL] > MATHAVAN or noses[nose, N_PIN] >= 0.0
+            if rare and speed >= SOFT:
+                foreseen[who, K_TOUCHED] = 1.0
+                return ask(counts, clock, ASK_NOSE, who, nose, now)
             speed = meet_nose(balls[who], world, noses[nose], ix, iy)
             note(events, counts, NOSE, now, who, float(nose), speed)
             kinds[who] = begin(balls[who], world)
@@ -140,16 +181,22 @@ def _meet(
     two: int,
     now: float,
 ) -> int:
-    """Resolve a meeting of two balls, or of a cluster they touch; return how many were moved."""
-    move(balls, kinds, world, pieces, counts, one, now)
-    move(balls, kinds, world, pieces, counts, two, now)
+    """Resolve a meeting of two balls, or of a cluster they touch; return how many were moved.
+
+    A negative number says that the meeting of so many members is for others to resolve.
+    """
+    move(balls, kinds, pieces, counts, one, now)
+    move(balls, kinds, pieces, counts, two, now)
     members[0], members[1], count = one, two, 2
     speed = closing_speed(balls[one], balls[two])
-    if speed >= SOFT and _company(balls, kinds, one, two, now):
+    if speed >= SOFT and _company(balls, kinds, one, two, now, world[G_TOUCH]):
         present = np.zeros(balls.shape[0], dtype=np.int64)
         for i in range(balls.shape[0]):
             present[i] = 1 if kinds[i] != GONE else 0
         count = _gather_now(balls, kinds, world, pieces, counts, present, members, one, two, now)
+    rare = world[G_BALL_BALL] > FRICTIONAL if count == 2 else world[G_CLUSTER] != HERTZ
+    if rare and speed >= SOFT:
+        return -count
     if count == 2:
         first, second = faster_first(balls, one, two)
         strike_apart(balls[one], balls[two], world)
@@ -169,6 +216,53 @@ def _meet(
 
 
 @njit(cache=True, error_model="numpy")
+def ask(counts: Ints, clock: Floats, what: int, who: int, other: int, now: float) -> int:
+    """Leave what is asked in the counts and its time in the clock; return ASK."""
+    counts[ASK_WHAT], counts[ASK_WHO], counts[ASK_OTHER] = what, who, other
+    clock[0] = max(now, clock[0])
+    return ASK
+
+
+@njit(cache=True, error_model="numpy")
+def resume(
+    balls: Floats,
+    kinds: Ints,
+    world: Floats,
+    noses: Floats,
+    pockets: Floats,
+    pairs: Floats,
+    foreseen: Floats,
+    pieces: Floats,
+    events: Floats,
+    counts: Ints,
+    clock: Floats,
+    everyone: bool,  # noqa: FBT001  numba knows no keywords
+) -> None:
+    """Go on after an answer: begin the touched balls' pieces and foresee them, or `everyone`.
+
+    Touched are those with K_TOUCHED, which is cleared; their rows hold r, v and w at the clock's
+    time. Balls that fly are left to `flight`.
+    """
+    n, now = balls.shape[0], clock[0]
+    box = np.empty(4)
+    bedded = np.empty(n, dtype=np.int64)
+    for i in range(n):
+        if everyone and foreseen[i, K_TOUCHED] == 0.0 and kinds[i] not in (REST, GONE, FLY):
+            move(balls, kinds, pieces, counts, i, now)
+            foreseen[i, K_TOUCHED] = 1.0
+        if foreseen[i, K_TOUCHED] != 0.0 and kinds[i] not in (GONE, FLY):
+            moved = kinds[i] != REST
+            kinds[i] = begin(balls[i], world)
+            if moved and kinds[i] == REST:
+                note(events, counts, STOPPED, now, i, -1.0, 0.0)
+        bedded[i] = GONE if kinds[i] == FLY else kinds[i]
+    for i in range(n):
+        if foreseen[i, K_TOUCHED] != 0.0:
+            foreseen[i, K_TOUCHED] = 0.0
+            foresee(balls, bedded, noses, pockets, pairs, foreseen, i, now, box)
+
+
+@njit(cache=True, error_model="numpy")
 def _at(ball: Floats, now: float) -> tuple[float, float]:
     s = now - ball[T0]
     x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
@@ -176,7 +270,7 @@ def _at(ball: Floats, now: float) -> tuple[float, float]:
 
 
 @njit(cache=True, error_model="numpy")
-def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float) -> bool:
+def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float, gap: float) -> bool:
     """Say whether a third ball touches one of the two."""
     for k in range(balls.shape[0]):
         if k in (one, two) or kinds[k] == GONE:
@@ -184,7 +278,7 @@ def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float) -> bool
         x, y = _at(balls[k], now)
         for i in (one, two):
             dx, dy = x - balls[i, X], y - balls[i, Y]
-            touch = 2.0 * sqrt(balls[i, RADIUS] * balls[k, RADIUS]) + TOUCH
+            touch = 2.0 * sqrt(balls[i, RADIUS] * balls[k, RADIUS]) + gap
             if dx * dx + dy * dy <= touch * touch:
                 return True
     return False
@@ -208,10 +302,10 @@ def _gather_now(
     for i in range(balls.shape[0]):
         here[i, RADIUS] = balls[i, RADIUS]
         here[i, X], here[i, Y] = _at(balls[i], now)
-    count = gather(here, present, one, two, members)
+    count = gather(here, present, one, two, members, world[G_TOUCH])
     for p in range(count):
         if members[p] not in (one, two):
-            move(balls, kinds, world, pieces, counts, members[p], now)
+            move(balls, kinds, pieces, counts, members[p], now)
     return count
 
 
@@ -230,4 +324,4 @@ def _note_contacts(
                 note(events, counts, TOUCHING, now, a, float(b), row[C_SPEED])
 
 
-__all__ = ["DONE", "FULL", "PAUSED", "STORM", "run"]
+__all__ = ["ASK", "DONE", "DOWN", "FULL", "PAUSED", "STORM", "ask", "resume", "run"]

@@ -36,7 +36,8 @@ class Trace:
 
     `balls` are those on the table, in the order of every array's ball axis; `pieces` (m, 17) and
     `log` (k, 5) have the columns P_* and E_* of `engine.physics.state`, pieces sorted by ball and
-    time; `duration` is in s; `spin_rate` is the loss of side spin on the bed in rad/s^2;
+    time; `duration` is in s; `spin_rates` (n,) are the losses of side spin on the bed in
+    rad/s^2;
     `gravity` in m/s^2 bends what flies.
     """
 
@@ -45,7 +46,7 @@ class Trace:
     log: Floats
     owners: tuple[Owner, ...]
     pockets: tuple[PocketId, ...]
-    spin_rate: float
+    spin_rates: Floats
     duration: float
     gravity: float = 9.81
 
@@ -95,7 +96,7 @@ class Trace:
         out[..., 0] = rows[..., state.P_WX] + s * rows[..., state.P_BX]
         out[..., 1] = rows[..., state.P_WY] + s * rows[..., state.P_BY]
         side = rows[..., state.P_WZ]
-        lost = np.where(_aloft(rows), 0.0, self.spin_rate * s)
+        lost = np.where(_aloft(rows), 0.0, self.spin_rates * s)
         out[..., 2] = np.sign(side) * np.maximum(np.abs(side) - lost, 0.0)
         return np.where(moving[..., None], out, 0.0)
 

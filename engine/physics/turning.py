@@ -35,7 +35,7 @@ def orientations(trace: Trace, times: Floats) -> Floats:
 
 def _turn_ball(trace: Trace, ball: int, times: Floats) -> Floats:
     rows = trace.pieces[trace.pieces[:, state.P_BALL] == ball]
-    knots, spins = _knots(rows, trace.spin_rate, times)
+    knots, spins = _knots(rows, trace.spin_rates[ball], times)
     steps = _rotations(_step_vectors(knots, spins))
     turned = np.empty((len(knots), 4))
     turned[0] = (1.0, 0.0, 0.0, 0.0)

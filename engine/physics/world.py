@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from engine.table.furniture import BallId, Point
+from engine.table.furniture import BallId, Point, Rubber
 
 if TYPE_CHECKING:
     from engine.table.furniture import Table
@@ -21,11 +21,20 @@ Layout = Mapping[BallId, Point]
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """A ball's body: radius in m, mass in kg."""
+    """A ball's body: radius in m, mass in kg; and what it has of its own, None for the world's.
+
+    Two balls that meet have the mean of both restitutions; `grip` is by how much a ball rubs more
+    than others against balls, of which two also have the mean.
+    """
 
     id: BallId
     radius: float
     mass: float
+    sliding: float | None = None
+    rolling: float | None = None
+    spin_deceleration: float | None = None
+    restitution: float | None = None
+    grip: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,22 +55,16 @@ class Cloth:
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`."""
+    """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`.
+
+    Balls whose gaps are no wider than `cluster_gap` (m) take part in one blow.
+    """
 
     restitution: float
     friction_floor: float
     friction_rise: float = 0.0
     friction_decay: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Rubber:
-    """Ball on cushion: restitution `base - slope * max(0, v_n - knee)` and friction."""
-
-    restitution: float
-    restitution_slope: float
-    restitution_knee: float
-    friction: float
+    cluster_gap: float = 2e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +88,7 @@ class Models:
     strike: str = "point"
     pocket: str = "drop-edge"
     flight: str = "none"
+    cluster: str = "hertz"
 
 
 MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -96,6 +100,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "strike": ("point",),
         "pocket": ("drop-edge",),
         "flight": ("none", "ballistic"),
+        "cluster": ("hertz",),
     }
 )
 """The names that each field of Models may have."""
@@ -127,3 +132,17 @@ class Strike:
     elevation: float = 0.0
     side: float = 0.0
     follow: float = 0.0
+
+
+__all__ = [
+    "MODEL_NAMES",
+    "Ball",
+    "Cloth",
+    "Contact",
+    "Cue",
+    "Layout",
+    "Models",
+    "Rubber",
+    "Strike",
+    "World",
+]

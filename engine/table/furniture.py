@@ -50,11 +50,28 @@ Shape = Straight | Curve
 
 
 @dataclass(frozen=True, slots=True)
+class Rubber:
+    """Ball on cushion: restitution `base - slope * max(0, v_n - knee)` and friction."""
+
+    restitution: float
+    restitution_slope: float
+    restitution_knee: float
+    friction: float
+
+
+@dataclass(frozen=True, slots=True)
 class Cushion:
-    """One named cushion: the chain of noses that records call by one name."""
+    """One named cushion: the chain of noses that records call by one name.
+
+    `rubber` and the name of a `model` are its own where they differ from the table's. An `upright`
+    one is a body with an upright side, such as a post, which a ball meets at its equator.
+    """
 
     id: CushionId
     shapes: tuple[Shape, ...]
+    rubber: Rubber | None = None
+    model: str | None = None
+    upright: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,12 +84,25 @@ class Jaw:
 
 @dataclass(frozen=True, slots=True)
 class Pocket:
-    """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops."""
+    """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops.
+
+    `rubber` is that of its jaws and `model` its own where they differ from the table's; `lip` is
+    the radius (m) of the round edge over which a ball falls, `rim` the height (m) of what stands
+    behind the drop, `restitution` and `friction` those of what it meets there. `value` is what the
+    game counts for a ball in it.
+    """
 
     id: PocketId
     centre: Point
     radius: float
     mouth: tuple[Point, Point]
+    rubber: Rubber | None = None
+    model: str | None = None
+    lip: float = 0.0
+    rim: float = 0.0
+    restitution: float = 0.5
+    friction: float = 0.2
+    value: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,7 +191,17 @@ class Figure:
     closed: bool
 
 
-Zone = Area | Places | Figure
+@dataclass(frozen=True, slots=True)
+class Opposite:
+    """Whichever of several areas holds none of the balls that may be hit first.
+
+    Where it is not asked with a situation, it is all of them.
+    """
+
+    areas: tuple[Area, ...]
+
+
+Zone = Area | Places | Figure | Opposite
 
 
 @dataclass(frozen=True, slots=True)

@@ -159,7 +159,7 @@ class FigureShape(Shape):
 
 
 class ZoneShape(Shape):
-    """An area bounded by lines and discs, a figure, the whole bed, or some single places.
+    """An area bounded by lines and discs, a figure, the whole bed, places, or one of several.
 
     `behind` is towards the head, `beyond` towards the foot, left and right as seen from the head.
     """
@@ -172,6 +172,7 @@ class ZoneShape(Shape):
     disc: DiscShape | None = None
     figure: FigureShape | None = None
     places: list[Point] | None = None
+    opposite: Annotated[list[Name], Field(min_length=2, max_length=20)] | None = None
     with_line: bool = False
 
 
@@ -222,6 +223,12 @@ class RoundShape(Shape):
     radius: Size
 
 
+class HoleShape(RoundShape):
+    """A hole in the bed, and what a ball in it counts."""
+
+    value: Annotated[int, Field(ge=-100_000, le=100_000)] = 0
+
+
 class TableShape(Shape):
     """The furniture; a rectangle has length and width, any other table an outline."""
 
@@ -230,7 +237,7 @@ class TableShape(Shape):
     width: Size | None = None
     outline: OutlineShape | None = None
     posts: dict[Name, RoundShape] = {}
-    holes: dict[Name, RoundShape] = {}
+    holes: dict[Name, HoleShape] = {}
     nose_height: Size
     rail_width: Size
     rail_colour: Rgb = (92, 51, 23)
@@ -424,6 +431,7 @@ class ModelNames(Shape):
     strike: str | None = None
     pocket: str | None = None
     flight: str | None = None
+    cluster: str | None = None
 
 
 class VariantSpec(Shape):

@@ -10,14 +10,14 @@ from physics_cases import ALCIATORE, IDEAL, M, R, make_world
 
 from engine.physics.collide import friction, strike_apart
 from engine.physics.pack import pack_world
-from engine.physics.state import BALL_WIDTH, MASS, RADIUS, VX, VY, WX, WY, WZ, X, Y
+from engine.physics.state import BALL_WIDTH, MASS, RADIUS, SLIDING, VX, VY, WX, WY, WZ, X, Y
 from engine.physics.world import Contact
 
 
 def ball(v=(0.0, 0.0), w=(0.0, 0.0, 0.0), at=(0.0, 0.0), radius=R, mass=M):
     row = np.zeros(BALL_WIDTH)
     row[[X, Y]], row[[VX, VY]], row[[WX, WY, WZ]] = at, v, w
-    row[RADIUS], row[MASS] = radius, mass
+    row[RADIUS], row[MASS], row[SLIDING] = radius, mass, 0.2
     return row
 
 

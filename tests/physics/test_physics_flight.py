@@ -61,7 +61,7 @@ def release(world, layout, motions, until=inf):
 
 def row_of(v, w=(0.0, 0.0, 0.0), place=(0.0, 0.0, R), radius=R, mass=M):
     row = np.zeros(state.BALL_WIDTH)
-    row[state.RADIUS], row[state.MASS] = radius, mass
+    row[state.RADIUS], row[state.MASS], row[state.SLIDING] = radius, mass, 0.2
     row[state.REACH] = sqrt(radius**2 - (0.03629025 - radius) ** 2)
     row[[state.X, state.Y, state.Z]] = place
     row[[state.VX, state.VY, state.VZ]] = v
@@ -231,7 +231,8 @@ def test_meetings_in_the_air_keep_momentum_and_gain_no_energy():
 
 def test_noses_gain_no_energy_and_send_balls_away():
     rng = np.random.default_rng(8)
-    numbers = packed(make_world(1)).numbers
+    world = make_world(1)
+    numbers, nose = packed(world).numbers, packed(world).noses[0]
     for _ in range(3000):
         angle = rng.uniform(-1.2, 1.2)
         height = 0.03629025 - R * np.sin(angle)
@@ -243,7 +244,7 @@ def test_noses_gain_no_energy_and_send_balls_away():
         if ball[xyz] @ n <= 0.0:
             continue
         before = energy(ball)
-        meet_nose(ball, numbers, R * np.cos(angle), 0.0)
+        meet_nose(ball, numbers, nose, R * np.cos(angle), 0.0)
         assert energy(ball) <= before + 1e-13
         assert ball[xyz] @ n <= 1e-12
 

@@ -8,9 +8,9 @@ from physics_cases import REACH, R, make_world
 from test_physics_collide import ball, energy
 
 from engine.physics.mathavan import mathavan
-from engine.physics.pack import nose_reach, pack_world
+from engine.physics.pack import nose_reach, pack_rubber, pack_world
 from engine.physics.rebound import bounce
-from engine.physics.state import G_FRICTION, G_NOSE, G_SLIDING, VX, VY, WX, WY, WZ
+from engine.physics.state import G_NOSE, SLIDING, VX, VY, WX, WY, WZ
 from engine.physics.state import REACH as REACH_COLUMN
 from engine.physics.world import Rubber
 
@@ -92,14 +92,15 @@ GRID = {
 
 def hit(v, w, rubber, *, nose=None, sliding=0.2, radius=R):
     """R w and v after a hit on a nose along X, for a ball of any size."""
-    numbers = pack_world(make_world(rubber=rubber, ball_cushion="mathavan-2010"))
-    numbers[G_SLIDING] = sliding
+    world = make_world(rubber=rubber, ball_cushion="mathavan-2010")
+    numbers = pack_world(world)
     row = ball(v, w)
+    row[SLIDING] = sliding
     row[REACH_COLUMN] = REACH
     if nose is not None:
         numbers[G_NOSE] = nose
         row[REACH_COLUMN] = nose_reach(radius, nose)
-    bounce(row, numbers, 0.0, 1.0)
+    bounce(row, numbers, pack_rubber(world), 0.0, 1.0)
     return row
 
 
@@ -187,13 +188,11 @@ def test_any_hit_agrees_with_a_fine_integration(nose, bed, e, rise):
     start[:, 1] = 1.0
     soft = [smoothed(start, rise, nose, bed, e, soft) for soft in (2e-3, 1e-3)]
     expected = 2.0 * soft[1] - soft[0]
-    world = pack_world(make_world())
-    world[G_FRICTION], world[G_SLIDING], world[G_NOSE] = nose, bed, R * (1.0 + rise)
     off = []
     for before, after in zip(start, expected, strict=True):
         row = ball(before[:2], before[2:] / R)
-        row[REACH_COLUMN] = R * sqrt(1.0 - rise * rise)
-        mathavan(row, world, 0.0, 1.0, e)
+        row[SLIDING] = bed
+        mathavan(row, (rise, sqrt(1.0 - rise * rise)), nose, 0.0, 1.0, e)
         off.append(np.abs(np.array(scaled(row)) - after).max())
     # where a slip nearly dies and turns, smoothing itself is off by more
     assert np.median(off) < 1e-5

@@ -10,7 +10,7 @@ from physics_cases import NOSE, REACH, M, R, make_world, throw
 from test_physics_collide import ball, energy
 
 from engine.physics.events import CushionHit
-from engine.physics.pack import nose_reach, pack_world
+from engine.physics.pack import nose_reach, pack_rubber, pack_world
 from engine.physics.rebound import bounce
 from engine.physics.state import REACH as REACH_COLUMN
 from engine.physics.state import VX, VY, WX, WY, WZ
@@ -21,7 +21,8 @@ def hit(v, w=(0.0, 0.0, 0.0), rubber=None, model="han-2005", into=(0.0, 1.0)):
     row = ball(v, w)
     row[REACH_COLUMN] = REACH
     rubber = rubber or Rubber(0.85, 0.0, 0.0, 0.2)
-    bounce(row, pack_world(make_world(rubber=rubber, ball_cushion=model)), *into)
+    world = make_world(rubber=rubber, ball_cushion=model)
+    bounce(row, pack_world(world), pack_rubber(world), *into)
     return row
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from engine.physics import state
 from engine.physics.collide import strike_apart
-from engine.physics.pack import nose_reach, pack_world
+from engine.physics.pack import nose_reach, pack_rubber, pack_world
 from engine.physics.rebound import bounce
 from engine.physics.world import MODEL_NAMES, Contact, Rubber
 from tools.validate.check import NotApplicableError
@@ -78,15 +78,17 @@ def _pair_invariant(check: Check, wanted: Wanted) -> object:
     return max(0.0, float(gain.max()))
 
 
-def _rebounds(check: Check, model: str) -> tuple[Floats, Floats, Floats]:
+def _rebounds(check: Check, model: str) -> tuple[Floats, tuple[Floats, Floats], Floats]:
     """Return random balls (n, 17) before a nose along X, their packed world, and how they left."""
     n = _states(check) // len(MODEL_NAMES["ball_cushion"])
     chance = np.random.default_rng(int(check.number("seed", default=1)))
     rubber = Rubber(check.number("e", default=0.85), 0.0, 0.0, check.number("mu", default=0.2))
     nose = check.number("h", default=1.27 * RADIUS)
-    world = pack_world(world_of(check, 1, rubber=rubber, ball_cushion=model))
+    laid = world_of(check, 1, rubber=rubber, ball_cushion=model)
+    world = (pack_world(laid), pack_rubber(laid))
     rows = np.zeros((n, state.BALL_WIDTH))
     rows[:, state.RADIUS], rows[:, state.MASS] = RADIUS, MASS
+    rows[:, state.SLIDING] = laid.cloth.sliding
     rows[:, state.REACH] = nose_reach(RADIUS, nose)
     top, turn = check.number("v_max", default=8.0), check.number("w_max", default=250.0)
     rows[:, state.VX] = chance.uniform(-top, top, n)
@@ -95,10 +97,10 @@ def _rebounds(check: Check, model: str) -> tuple[Floats, Floats, Floats]:
     return rows, world, _bounced(rows, world)
 
 
-def _bounced(rows: Floats, world: Floats) -> Floats:
+def _bounced(rows: Floats, world: tuple[Floats, Floats]) -> Floats:
     after = rows.copy()
     for row in after:
-        bounce(row, world, 0.0, 1.0)
+        bounce(row, *world, 0.0, 1.0)
     return after
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from engine.physics import state
 from engine.physics.collide import strike_apart
 from engine.physics.events import RollingBegan
-from engine.physics.pack import nose_reach, pack_world
+from engine.physics.pack import nose_reach, pack_rubber, pack_world
 from engine.physics.rebound import bounce
 from engine.physics.strike import Motion
 from engine.physics.throw import throw_balls
@@ -199,7 +199,8 @@ def rebound(world: World, v: Sequence[float], rw: Sequence[float]) -> tuple[floa
     ball = world.balls[0]
     turn = (rw[0] / ball.radius, rw[1] / ball.radius, rw[2] / ball.radius)
     row = row_of(ball, Motion((v[0], v[1]), turn), nose=world.table.nose_height)
-    bounce(row, pack_world(world), 0.0, 1.0)
+    row[state.SLIDING] = world.cloth.sliding
+    bounce(row, pack_world(world), pack_rubber(world), 0.0, 1.0)
     spin = row[[state.WX, state.WY, state.WZ]] * ball.radius
     return tuple(float(x) for x in (row[state.VX], row[state.VY], *spin))
 
