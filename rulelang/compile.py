@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
+    from rulelang.probe import Probe
     from rulelang.scope import Scope
     from rulelang.vocabulary import Vocabulary
 
@@ -48,17 +49,19 @@ def compile_script(
     vocabulary: Vocabulary,
     library: Callable[[str], tuple[str, str] | None],
     cache: Path | None = None,
+    probe: Probe | None = None,
 ) -> Program:
     """Compile a script; `library` gives (source, filename) of a script that `uses` names.
 
-    `cache` is a folder for the grammar's tables. Raises ScriptError with every mistake.
+    `cache` is a folder for the grammar's tables; `probe` counts what the program does. Raises
+    ScriptError with every mistake.
     """
-    work = _Work(vocabulary, library, cache)
+    work = _Work(vocabulary, library, cache, probe)
     program = work.compile(source, filename)
     errors = [d for d in work.told() if d.severity == "error"]
     if errors or program is None:
         raise ScriptError(tuple(errors))
-    return program
+    return program if probe is None else probe.rules(program)
 
 
 def check_script(
@@ -79,6 +82,7 @@ class _Work:
     vocabulary: Vocabulary
     library: Callable[[str], tuple[str, str] | None]
     cache: Path | None
+    probe: Probe | None = None
     scripts: list[s.Script] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     consequences: list[Consequence] = field(default_factory=list)
@@ -120,6 +124,9 @@ class _Work:
         self.read(source, filename, ())
         declarations = Declarations(self.vocabulary, self.scripts, self.tell)
         scope = declarations.scope
+        if self.probe is not None:
+            scope.probe = self.probe
+            self.probe.files.update({script.source: script.file for script in self.scripts})
         self.scripts[:] = [parted(scope, script, self.tell) for script in self.scripts]
         homes, order = self.homes(scope), self.spotting_order(scope)
         rules = self.rules(scope)

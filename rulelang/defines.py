@@ -102,7 +102,8 @@ def _case_value(x: Expressions, node: s.Expr) -> Code:
     if made.truth is not None and not (isinstance(node, s.Happened) and made.kind == k.BALLS):
         if made.kind == k.BALLS and not isinstance(node, s.Quantified):
             return made
-        return derive(
+        flag = derive(
             made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases
         )
+        return flag if isinstance(node, s.Name) else x.watched(flag, node)
     return made

@@ -93,6 +93,14 @@ class Expressions:
 
     def truth(self, node: s.Expr) -> Code:
         """Compile `node` as a condition."""
+        return self.watched(self._truth(node), node)
+
+    def watched(self, made: Code, node: s.Expr) -> Code:
+        """Return a condition with a counter, where the program has a probe."""
+        probe = self.scope.probe
+        return made if probe is None else probe.condition(made, self.source, node)
+
+    def _truth(self, node: s.Expr) -> Code:
         made = self.value(node)
         if made.truth is not None:
             return made

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from rulelang import syntax as s
     from rulelang.code import Code
+    from rulelang.probe import Probe
     from rulelang.program import FactDecl, Timer, Track
     from rulelang.vocabulary import Vocabulary
 
@@ -52,6 +53,7 @@ class Scope:
     memo_size: int = 0
     staged: list[int] = field(default_factory=list)
     asks: set[str] = field(default_factory=set)
+    probe: Probe | None = None
 
     def __post_init__(self) -> None:
         for number, ball in enumerate(self.vocabulary.balls):

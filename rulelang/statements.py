@@ -132,6 +132,8 @@ class Statements:
     def value(self, node: s.Expr, kind: str, domain: str = "") -> Code:
         """Compile an operand and keep it for the checks of the rule."""
         made = self.x.want(node, kind, domain)
+        if self.scope.probe is not None and isinstance(node, s.Number):
+            made = self.scope.probe.number(made, self.x.source, node)
         self.codes.append(made)
         return made
 
@@ -150,7 +152,7 @@ class Statements:
                 self.conditions.append(made)
             self.late = self.late or made.fouls
             pairs.append((made.truth, self.body(body)))
-        otherwise = self.body(node.otherwise) if node.otherwise else None
+        otherwise = self._otherwise(node.otherwise) if node.otherwise else None
         if len(pairs) == 1 and len(node.branches) == 1 and otherwise is None:
             test, then = pairs[0]
             if outermost:
@@ -164,6 +166,18 @@ class Statements:
             return otherwise(c, out) if otherwise is not None else False
 
         return run
+
+    def _otherwise(self, body: tuple[s.Statement, ...]) -> Run:
+        run, probe = self.body(body), self.scope.probe
+        if probe is None:
+            return run
+        at = body[0].at
+        inert = all(isinstance(one, s.NothingHappens) for one in body)
+        return probe.body("otherwise", self.x.source, at, self._text(body), run, inert=inert)
+
+    def _text(self, body: tuple[s.Statement, ...]) -> str:
+        """Return what is written in a body, on one line."""
+        return " ".join(self.x.source[body[0].at.start : body[-1].at.end].split())
 
     def _for_each(self, node: s.ForEach) -> Run:
         if node.over is None:
@@ -202,6 +216,8 @@ class Statements:
                 made = self.x.truth(choice.condition)
                 self.codes.append(made)
                 test = made.truth
+            if self.scope.probe is not None:
+                test = self.scope.probe.offer(self.x.source, choice, test)
             choices.append((test, choice.option, self._consequence(choice, node.who)))
             self.scope.options.setdefault(choice.option)
             self.said.append(f"offers {choice.option}")
@@ -221,9 +237,12 @@ class Statements:
         inner.free = True
         run = inner.body(choice.body)
         words = to.words if isinstance(to, s.Player) else "chooser"
-        first = choice.body[0].at.start
-        last = choice.body[-1].at.end
-        text = " ".join(self.x.source[first:last].split())
+        text = self._text(choice.body)
+        if self.scope.probe is not None:
+            inert = all(isinstance(one, s.NothingHappens) for one in choice.body)
+            run = self.scope.probe.body(
+                "choice", self.x.source, choice.at, choice.option, run, inert=inert
+            )
         key = len(self.consequences)
         self.consequences.append(Consequence(key, choice.option, words, self.rule, run, text))
         return key

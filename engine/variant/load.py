@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.source import Node
     from rulelang.diagnostics import Diagnostic
+    from rulelang.probe import Probe
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,11 +69,13 @@ class _Script:
         return read_library(name, self.home)
 
 
-def load_variant(name_or_path: str | Path, cache: Path | None = None) -> Variant:
+def load_variant(
+    name_or_path: str | Path, cache: Path | None = None, probe: Probe | None = None
+) -> Variant:
     """Return a variant by stem or path, checked whole, script included.
 
-    `cache` is a folder where the grammar of scripts may be kept from run to run. Raises
-    VariantError, which carries every diagnostic.
+    `cache` is a folder where the grammar of scripts may be kept from run to run; `probe` counts
+    what the rules do. Raises VariantError, which carries every diagnostic.
     """
     from rulelang.compile import compile_script  # noqa: PLC0415  the parser is slow to import
 
@@ -83,7 +86,7 @@ def load_variant(name_or_path: str | Path, cache: Path | None = None) -> Variant
         raise VariantError(_in_order(reading) + _script_mistakes(draft, script, cache))
     try:
         program = compile_script(
-            script.text, str(script.path), vocabulary_of(draft), script.library, cache
+            script.text, str(script.path), vocabulary_of(draft), script.library, cache, probe
         )
     except ScriptError as error:
         raise VariantError(list(error.diagnostics)) from None
