@@ -99,14 +99,19 @@ class Asked:
 
     def clear(self, nose: int) -> None:
         """Take a nose, such as a fallen pin, off the bed."""
-        self.noses[nose, state.N_LOX : state.N_LOY + 1] = np.inf
-        self.noses[nose, state.N_HIX : state.N_HIY + 1] = -np.inf
-        self.noses[nose, state.N_SIZE] = 0.0
+        clear_nose(self.noses[nose])
         self.everyone = True
 
     def wake(self, time: float) -> None:
         """Ask again at `time` (s), infinite for never; there is one alarm."""
         self.clock[state.C_ALARM] = time
+
+
+def clear_nose(row: Floats) -> None:
+    """Make a nose one that no ball ever meets."""
+    row[state.N_LOX : state.N_LOY + 1] = np.inf
+    row[state.N_HIX : state.N_HIY + 1] = -np.inf
+    row[state.N_SIZE] = 0.0
 
 
 def answer(asked: Asked) -> None:
@@ -135,6 +140,12 @@ def _model(asked: Asked) -> int:
 
 def _resolver(what: int, model: int) -> Resolver:
     """Return who resolves a question; each is loaded when it is first needed."""
+    from engine.physics import felling  # noqa: PLC0415  only tables with pins need it
+
+    if what == state.ASK_ALARM:
+        return felling.go_on
+    if what == state.ASK_NOSE and model < 0:
+        return felling.meet_pin
     message = f"nobody resolves event {what} by model {model}"
     raise ValueError(message)
 

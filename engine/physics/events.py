@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from engine.table.furniture import BallId, CushionId, PocketId
+    from engine.table.furniture import BallId, CushionId, PinId, PocketId
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +79,24 @@ class BallJumpedOver:
 
 
 @dataclass(frozen=True, slots=True)
+class PinToppled:
+    """A pin began to fall; `by` are the balls or the falling pins that felled it, all at once."""
+
+    time: float
+    pin: PinId
+    by: tuple[BallId | PinId, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PinTouched:
+    """A ball or a falling pin met a pin that stood it."""
+
+    time: float
+    pin: PinId
+    by: BallId | PinId
+
+
+@dataclass(frozen=True, slots=True)
 class RollingBegan:
     """A sliding ball's slip ended."""
 
@@ -102,6 +120,8 @@ Event = (
     | BallLeftTable
     | BallLanded
     | BallJumpedOver
+    | PinToppled
+    | PinTouched
     | RollingBegan
     | BallStopped
 )

@@ -15,23 +15,27 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
+from engine.physics.felling import MEMORY, NO_PINS, Felling, PinTrace, set_up
 from engine.physics.pack import packed, place_balls, refuse_rare
 from engine.physics.strike import strike_ball
 from engine.physics.trace import Trace
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from numpy.typing import NDArray
 
     from engine.physics.world import Layout, Strike, World
-    from engine.table.furniture import BallId
+    from engine.table.furniture import BallId, PinId
 
     Floats = NDArray[np.float64]
 
 EVENT_CAP = 100_000
 STEP = 1.0 / 60.0
 """Time step (s) of the solvers that have one."""
+
+ROOM = 512
+"""Rows that an answer to what is asked may write."""
 
 FIXED = ("corrective", "preemptive")
 """Those with a step, in the order of `engine.physics.fixed`."""
@@ -51,10 +55,18 @@ class Simulation:
     """One shot in progress."""
 
     def __init__(
-        self, world: World, layout: Layout, ball: BallId, strike: Strike, *, step: float = STEP
+        self,
+        world: World,
+        layout: Layout,
+        ball: BallId,
+        strike: Strike,
+        *,
+        step: float = STEP,
+        fallen: Iterable[PinId] = (),
     ) -> None:
         """Set the balls and strike one of them; `step` (s) is for the fixed-step solvers.
 
+        All pins stand but the `fallen`, and those whose place a ball takes.
         Raises ValueError for what cannot be played.
         """
         if world.models.solver not in SOLVERS:
@@ -79,9 +91,12 @@ class Simulation:
         self._counts = np.array([0, 0, 0, EVENT_CAP, 0, 0, 0], dtype=np.int64)
         self._clock = np.array([0.0, 0.0, inf])
         self._noses = self._packed.noses
+        self._memory: dict[str, object] = {}
         if world.table.pins:
             self._noses = self._noses.copy()
-        self._memory: dict[str, object] = {}
+            pins = set_up(world, layout, frozenset(fallen))
+            pins.clear_fallen(self._noses)
+            self._memory[MEMORY] = pins
         self.finished = False
         self._strike_one()
 
@@ -105,8 +120,7 @@ class Simulation:
             if answer == STORM:
                 raise EventStormError(self._layout, self._ball, self._strike)
             if answer == FULL:
-                self._pieces = np.concatenate([self._pieces, np.empty_like(self._pieces)])
-                self._events = np.concatenate([self._events, np.empty_like(self._events)])
+                self._make_room(max(len(self._pieces), len(self._events)))
                 continue
             if answer == ASK:
                 self._answer()
@@ -116,11 +130,19 @@ class Simulation:
                 self._clock[1] = max(self._clock[1], until)
                 return
 
+    def _make_room(self, rows: int) -> None:
+        """See to it that so many rows are free for pieces and for events."""
+        while len(self._pieces) - self._counts[0] < rows:
+            self._pieces = np.concatenate([self._pieces, np.empty_like(self._pieces)])
+        while len(self._events) - self._counts[1] < rows:
+            self._events = np.concatenate([self._events, np.empty_like(self._events)])
+
     def _answer(self) -> None:
         """Let an event that the kernels do not know be resolved, and go on after it."""
         from engine.physics.asked import Asked, answer  # noqa: PLC0415  rarely needed
         from engine.physics.stepwise import resume  # noqa: PLC0415  numba
 
+        self._make_room(ROOM)
         world = self._packed
         asked = Asked(
             world=world,
@@ -182,7 +204,12 @@ class Simulation:
             spin_rates=self._rows[:, state.SLOWING].copy(),
             gravity=self._world.cloth.gravity,
             duration=now,
+            pins=self._pins(),
         )
+
+    def _pins(self) -> PinTrace:
+        pins = self._memory.get(MEMORY)
+        return pins.trace() if isinstance(pins, Felling) else NO_PINS
 
     def _open_pieces(self, now: float) -> Floats:
         """Return the pieces that have not ended, cut off `now`."""
@@ -222,13 +249,20 @@ def _flight() -> Callable[..., int]:
 
 
 def simulate(
-    world: World, layout: Layout, ball: BallId, strike: Strike, *, step: float = STEP
+    world: World,
+    layout: Layout,
+    ball: BallId,
+    strike: Strike,
+    *,
+    step: float = STEP,
+    fallen: Iterable[PinId] = (),
 ) -> Trace:
     """Return the whole shot until all is at rest; `step` (s) is for the fixed-step solvers.
 
+    All pins stand but the `fallen`, and those whose place a ball takes.
     Raises ValueError for a world, layout or strike that cannot be, EventStormError for a bug.
     """
-    simulation = Simulation(world, layout, ball, strike, step=step)
+    simulation = Simulation(world, layout, ball, strike, step=step, fallen=fallen)
     simulation.advance(inf)
     return simulation.trace()
 

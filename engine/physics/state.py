@@ -35,11 +35,12 @@ touched by an event that others resolve."""
 E_KIND, E_TIME, E_FIRST, E_SECOND, E_SPEED = range(5)
 EVENT_WIDTH = 5
 
-TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED, LANDED, TOPPLED = (
-    float(kind) for kind in range(8)
+TOUCHING, NOSE, DROPPED, LEFT, ROLLING, STOPPED, LANDED, TOPPLED, LEANT = (
+    float(kind) for kind in range(9)
 )
 """Kinds of event: balls collided, nose hit, pocketed, left the table, rolling began, ball stopped,
-ball landed, pin toppled.
+ball landed, pin toppled, pin met that stands. In those two second is the pin's number, and who met
+it is a ball, or another pin k as -1 - k. A pin toppled has the impulse it got in place of speed.
 
 Floats, since a kernel is compiled anew for every whole number it is called with.
 """

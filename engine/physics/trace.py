@@ -16,11 +16,13 @@ import numpy as np
 
 from engine.physics import events as happened
 from engine.physics import state
+from engine.physics.felling import NO_PINS
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from engine.physics.events import Event
+    from engine.physics.felling import PinTrace
     from engine.physics.pack import Owner
     from engine.physics.world import Ball, Layout
     from engine.table.furniture import BallId, PocketId, Point
@@ -38,7 +40,7 @@ class Trace:
     `log` (k, 5) have the columns P_* and E_* of `engine.physics.state`, pieces sorted by ball and
     time; `duration` is in s; `spin_rates` (n,) are the losses of side spin on the bed in
     rad/s^2;
-    `gravity` in m/s^2 bends what flies.
+    `gravity` in m/s^2 bends what flies; `pins` says how pins stood and fell.
     """
 
     balls: tuple[Ball, ...]
@@ -49,6 +51,7 @@ class Trace:
     spin_rates: Floats
     duration: float
     gravity: float = 9.81
+    pins: PinTrace = NO_PINS
 
     def events(self) -> tuple[Event, ...]:
         """Return the events in order, typed.
@@ -56,7 +59,7 @@ class Trace:
         A resting contact is carried by tiny bounces; of those only the first is told. `log` has
         them all.
         """
-        told = [self._event(row) for row in self._told()]
+        told = _together([self._event(row) for row in self._told()])
         if not self.flies:
             return tuple(told)
         from engine.physics.passing import jumps  # noqa: PLC0415  only flights need it
@@ -165,6 +168,8 @@ class Trace:
             digest.update(np.ascontiguousarray(self.pieces[:, state.FLAT_WIDTH :]).tobytes())
         digest.update(np.ascontiguousarray(self.log).tobytes())
         digest.update(np.float64(self.duration).tobytes())
+        if self.pins.standing:
+            digest.update(repr(self.pins).encode())
         return digest.hexdigest()
 
     def _told(self) -> list[Floats]:
@@ -215,6 +220,8 @@ class Trace:
 
     def _event(self, row: Floats) -> Event:
         kind, time, speed = int(row[state.E_KIND]), float(row[state.E_TIME]), float(row[4])
+        if kind in (state.TOPPLED, state.LEANT):
+            return self._pin_event(row)
         ball, second = self.balls[int(row[state.E_FIRST])].id, int(row[state.E_SECOND])
         if kind == state.TOUCHING:
             return happened.BallsCollided(time, ball, self.balls[second].id, speed)
@@ -229,11 +236,38 @@ class Trace:
         if kind == state.STOPPED:
             return happened.BallStopped(time, ball)
         owner = self.owners[second]
+        if owner.pin is not None:
+            return happened.PinTouched(time, owner.pin, ball)
         if owner.cushion is not None:
             return happened.CushionHit(time, ball, owner.cushion, speed)
         if owner.pocket is None:
             raise AssertionError("a nose belongs to a cushion or a pocket")
         return happened.JawHit(time, ball, owner.pocket, speed)
+
+    def _pin_event(self, row: Floats) -> Event:
+        """Return what happened to a pin; who did it is a ball, or a pin below zero."""
+        first, time = int(row[state.E_FIRST]), float(row[state.E_TIME])
+        by = self.balls[first].id if first >= 0 else self.pins.names[-1 - first]
+        pin = self.pins.names[int(row[state.E_SECOND])]
+        if row[state.E_KIND] == state.TOPPLED:
+            return happened.PinToppled(time, pin, (by,))
+        return happened.PinTouched(time, pin, by)
+
+
+def _together(told: list[Event]) -> list[Event]:
+    """Return the events with one for each pin that several felled at once."""
+    found: list[Event] = []
+    for event in told:
+        last = found[-1] if found else None
+        if (
+            isinstance(event, happened.PinToppled)
+            and isinstance(last, happened.PinToppled)
+            and (event.pin, event.time) == (last.pin, last.time)
+        ):
+            found[-1] = happened.PinToppled(last.time, last.pin, (*last.by, *event.by))
+        else:
+            found.append(event)
+    return found
 
 
 def _aloft(rows: Floats) -> NDArray[np.bool_]:
