@@ -102,9 +102,18 @@ class Asked:
         clear_nose(self.noses[nose])
         self.everyone = True
 
-    def wake(self, time: float) -> None:
-        """Ask again at `time` (s), infinite for never; there is one alarm."""
-        self.clock[state.C_ALARM] = time
+    @property
+    def alarms(self) -> dict[str, float]:
+        """Return when (s) each of those who are to be woken wants to be, by name."""
+        found = self.memory.setdefault("alarms", {})
+        if not isinstance(found, dict):
+            raise TypeError("alarms are kept by name")
+        return found
+
+    def wake(self, time: float, who: str = "pins") -> None:
+        """Ask `who` again at `time` (s), infinite for never; each has one alarm."""
+        self.alarms[who] = time
+        self.clock[state.C_ALARM] = min(self.alarms.values())
 
 
 def clear_nose(row: Floats) -> None:
@@ -116,10 +125,12 @@ def clear_nose(row: Floats) -> None:
 
 def answer(asked: Asked) -> None:
     """Let the question be resolved by whoever knows the model."""
-    what = asked.what
-    if what == state.ASK_ALARM:
-        asked.wake(np.inf)
-    _resolver(what, _model(asked))(asked)
+    if asked.what != state.ASK_ALARM:
+        _resolver(asked.what, _model(asked))(asked)
+        return
+    for who in sorted(who for who, time in asked.alarms.items() if time <= asked.time):
+        asked.wake(np.inf, who)
+        _woken(who)(asked)
 
 
 def _model(asked: Asked) -> int:
@@ -140,14 +151,35 @@ def _model(asked: Asked) -> int:
 
 def _resolver(what: int, model: int) -> Resolver:
     """Return who resolves a question; each is loaded when it is first needed."""
-    from engine.physics import felling  # noqa: PLC0415  only tables with pins need it
-
-    if what == state.ASK_ALARM:
-        return felling.go_on
     if what == state.ASK_NOSE and model < 0:
-        return felling.meet_pin
-    message = f"nobody resolves event {what} by model {model}"
-    raise ValueError(message)
+        from engine.physics.felling import meet_pin  # noqa: PLC0415  tables with pins alone
+
+        return meet_pin
+    from engine.physics import rare  # noqa: PLC0415  numba
+
+    match what, model:
+        case (state.ASK_PAIR, state.MATHAVAN_2014):
+            return rare.meet_ball
+        case (state.ASK_NOSE, state.STRONGE):
+            return rare.meet_nose
+        case (state.ASK_CLUSTER, _):
+            return rare.meet_cluster
+        case (state.ASK_DROP, state.RIM_LIP):
+            return rare.reach_pocket
+        case _:
+            message = f"nobody resolves event {what} by model {model}"
+            raise ValueError(message)
+
+
+def _woken(who: str) -> Resolver:
+    """Return who has asked for an alarm under this name."""
+    if who == "pins":
+        from engine.physics.felling import go_on  # noqa: PLC0415  tables with pins alone
+
+        return go_on
+    from engine.physics import rare  # noqa: PLC0415  numba
+
+    return rare.leave_pocket
 
 
 __all__ = ["Asked", "answer"]

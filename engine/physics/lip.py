@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
 
 CAPTURED, BACK, OVER = range(3)
 """What becomes of a ball at a pocket: it falls in, is back on the bed, or leaps over the rim."""
@@ -52,6 +53,10 @@ LONGEST = 20.0
 """Time (s) after which a ball that has found no way out of a hole is taken to lie in it."""
 
 
+NODE = 5e-3
+"""The longest time (s) between two places noted on the way, save in free flight."""
+
+
 @njit(cache=True, error_model="numpy")
 def leaving_angle(speed: float, gravity: float, rho: float) -> float:
     """Return the angle (rad) at which a ball that rolls straight over a lip leaves it.
@@ -63,29 +68,46 @@ def leaving_angle(speed: float, gravity: float, rho: float) -> float:
     hole = np.zeros(HOLE)
     hole[H_RADIUS], hole[H_BALL], hole[H_GRAVITY], hole[H_BED_X] = 1e6, rho, gravity, -1.0
     lean = np.zeros(3)
-    _lean_over(body, hole, 1.4, lean)
+    way, counts = np.empty((2, 1 + BODY)), np.zeros(1, dtype=np.int64)
+    _lean_over(body, hole, 1.4, lean, way, counts)
     return float(lean[0])
 
 
 @njit(cache=True, error_model="numpy")
-def fall(body: Floats, hole: Floats) -> tuple[int, float]:
+def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
     """Carry a ball (B_*) whose centre has come over a drop (H_*) to its outcome, in place.
 
-    Returns the outcome and the time (s) it takes.
+    `way` (n, 1 + BODY) gets time and state at the nodes of the ball's way, last the outcome;
+    between two of them gravity alone acts, or little time goes by. Returns the outcome, the time
+    (s) it takes and how many nodes there are.
     """
     before = _energy(body, hole)
-    time = 0.0
+    time, counts = 0.0, np.zeros(1, dtype=np.int64)
+    outcome = -1
+    _node(body, 0.0, way, counts)
     if body[B_Z] <= hole[H_BALL] + 1e-9:
         lean = np.zeros(3)
         inertia = 1.4 if _rolls(body, hole) else 1.0
-        back = _lean_over(body, hole, inertia, lean)
+        back = _lean_over(body, hole, inertia, lean, way, counts)
         time = lean[2]
-        if back:
-            _no_gain(body, hole, before)
-            return BACK, time
-    outcome, spent = _fly(body, hole)
+        outcome = BACK if back else -1
+    if outcome < 0:
+        outcome, time = _fly(body, hole, time, way, counts)
     _no_gain(body, hole, before)
-    return outcome, time + spent
+    count = counts[0]
+    if way[count - 1, 0] < time:
+        count = min(count + 1, way.shape[0])
+    way[count - 1, 0], way[count - 1, 1:] = time, body
+    return outcome, time, count
+
+
+@njit(cache=True, error_model="numpy")
+def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
+    """Note a place of the ball's way, as long as there is room for it and the last."""
+    if counts[0] < way.shape[0] - 1:
+        way[counts[0], 0] = time
+        way[counts[0], 1:] = body
+        counts[0] += 1
 
 
 @njit(cache=True, error_model="numpy")
@@ -154,7 +176,9 @@ def _lean_step(
 
 
 @njit(cache=True, error_model="numpy")
-def _lean_over(body: Floats, hole: Floats, inertia: float, lean: Floats) -> bool:
+def _lean_over(
+    body: Floats, hole: Floats, inertia: float, lean: Floats, way: Floats, counts: Ints
+) -> bool:
     """Carry a ball over the lip; say whether it has come back up onto the bed.
 
     `lean` becomes angle, its rate and the time taken.
@@ -172,38 +196,52 @@ def _lean_over(body: Floats, hole: Floats, inertia: float, lean: Floats) -> bool
     if y[0] < LEAN and abs(y[1]) < LEAN:
         y[0] = LEAN
     whirl = around * d
-    time, back = 0.0, False
-    if _pressed(y[0], y[1], hole, rho, whirl) > 0.0:
-        while True:
-            h = STEP
-            _lean_step(y, h, hole, rho, whirl, inertia, new)
-            if _leaves(new, hole, rho, whirl) or new[0] < 0.0 or new[0] > 0.5 * pi:
-                low, high = 0.0, h
-                for _ in range(60):
-                    h = 0.5 * (low + high)
-                    _lean_step(y, h, hole, rho, whirl, inertia, new)
-                    if _leaves(new, hole, rho, whirl) or new[0] < 0.0 or new[0] > 0.5 * pi:
-                        high = h
-                    else:
-                        low = h
-                h = high
-                _lean_step(y, h, hole, rho, whirl, inertia, new)
-                y[:] = new
-                time += h
-                back = y[0] <= 0.0
-                break
-            y[:] = new
-            time += h
-            if time > LONGEST:
-                break
+    time, noted, going = 0.0, 0.0, _pressed(y[0], y[1], hole, rho, whirl) > 0.0
+    start, first = atan2(ey, ex), body.copy()
+    while going and time < LONGEST:
+        h = STEP
+        _lean_step(y, h, hole, rho, whirl, inertia, new)
+        if _leaves(new, hole, rho, whirl):
+            going = False
+            h = _last_step(y, h, hole, rho, whirl, inertia, new)
+        y[:] = new
+        time += h
+        if going and time - noted >= NODE:
+            noted = time
+            body[:] = first
+            _set_down(body, hole, rho, y, whirl, start, inertia)
+            _node(body, time, way, counts)
+    back = y[0] <= 0.0
+    y[0] = max(y[0], 0.0)
     lean[0], lean[1], lean[2] = y[0], y[1], time
-    _set_down(body, hole, rho, y, whirl, atan2(ey, ex), inertia, back)
+    body[:] = first
+    _set_down(body, hole, rho, y, whirl, start, inertia)
+    _node(body, time, way, counts)
     return back
 
 
 @njit(cache=True, error_model="numpy")
+def _last_step(
+    y: Floats, h: float, hole: Floats, rho: float, whirl: float, inertia: float, new: Floats
+) -> float:
+    """Fill `new` with the state in which the lip is left, within a step h; return that step."""
+    low, high = 0.0, h
+    for _ in range(60):
+        h = 0.5 * (low + high)
+        _lean_step(y, h, hole, rho, whirl, inertia, new)
+        if _leaves(new, hole, rho, whirl):
+            high = h
+        else:
+            low = h
+    _lean_step(y, high, hole, rho, whirl, inertia, new)
+    return high
+
+
+@njit(cache=True, error_model="numpy")
 def _leaves(y: Floats, hole: Floats, rho: float, whirl: float) -> bool:
-    return _pressed(y[0], y[1], hole, rho, whirl) <= 0.0
+    """Say whether nothing presses any more, or the ball is back up."""
+    loose = _pressed(y[0], y[1], hole, rho, whirl) <= 0.0
+    return loose or y[0] < 0.0 or y[0] > 0.5 * pi
 
 
 @njit(cache=True, error_model="numpy")
@@ -215,11 +253,9 @@ def _set_down(
     whirl: float,
     start: float,
     inertia: float,
-    back: bool,  # noqa: FBT001
 ) -> None:
     """Turn the angles of leaning into place, velocity and, for a ball that rolls, spin."""
-    psi = 0.0 if back else y[0]
-    angle = start + y[2]
+    psi, angle = y[0], start + y[2]
     ex, ey = cos(angle), sin(angle)
     reach = hole[H_RADIUS] - rho * sin(psi)
     out, up, around = -rho * y[1] * cos(psi), -rho * y[1] * sin(psi), whirl / reach
@@ -285,9 +321,9 @@ def _outcome(body: Floats, hole: Floats) -> int:
 
 
 @njit(cache=True, error_model="numpy")
-def _fly(body: Floats, hole: Floats) -> tuple[int, float]:
-    """Let a ball fall and bounce in the hole to its outcome; return it and the time taken."""
-    trial, normal, time = np.empty(BODY), np.empty(3), 0.0
+def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> tuple[int, float]:
+    """Let a ball fall and bounce in the hole to its outcome; return it and its time."""
+    trial, normal, noted = np.empty(BODY), np.empty(3), time
     touching = _gap(body, hole, normal) <= 1e-7
     while time < LONGEST:
         trial[:] = body
@@ -318,6 +354,9 @@ def _fly(body: Floats, hole: Floats) -> tuple[int, float]:
         time += h
         if touching:
             _strike(body, hole, normal)
+            if time - noted >= NODE or h < STEP:
+                noted = time
+                _node(body, time, way, counts)
         outcome = _outcome(body, hole)
         if outcome >= 0:
             return outcome, time

@@ -36,15 +36,24 @@ if TYPE_CHECKING:
     )
 
 MOTIONS = {"slide-roll": state.SLIDE_ROLL, "two-speed": state.TWO_SPEED}
-BALL_BALLS = {"elastic": state.ELASTIC, "frictional": state.FRICTIONAL}
+BALL_BALLS = {
+    "elastic": state.ELASTIC,
+    "frictional": state.FRICTIONAL,
+    "mathavan-2014": state.MATHAVAN_2014,
+}
 CUSHIONS = {
     "restitution": state.RESTITUTION,
     "han-2005": state.HAN,
     "mathavan-2010": state.MATHAVAN,
+    "stronge": state.STRONGE,
 }
 STRIKES = ("point",)
-POCKETS = {"drop-edge": state.DROP_EDGE}
-CLUSTERS = {"hertz": state.HERTZ}
+POCKETS = {"drop-edge": state.DROP_EDGE, "rim-lip": state.RIM_LIP}
+CLUSTERS = {
+    "hertz": state.HERTZ,
+    "simultaneous": state.SIMULTANEOUS,
+    "sequential": state.SEQUENTIAL,
+}
 FLIGHTS = ("ballistic", "none")
 OVERLAP = 1e-4
 

@@ -56,8 +56,7 @@ def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> f
         ball[VX] -= (speed + leaving) * ix
         ball[VY] -= (speed + leaving) * iy
         return speed
-    restitution = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
-    restitution = min(max(restitution, 0.0), 1.0)
+    restitution = restitution_at(nose, speed)
     if nose[N_MODEL] == RESTITUTION:
         ball[VX] -= (1.0 + restitution) * speed * ix
         ball[VY] -= (1.0 + restitution) * speed * iy
@@ -66,6 +65,13 @@ def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> f
     else:
         mathavan(ball, lean(ball, world, nose), nose[N_RUB], ix, iy, restitution)
     return speed
+
+
+@njit(cache=True, error_model="numpy")
+def restitution_at(nose: Floats, speed: float) -> float:
+    """Return a nose's restitution at a normal speed (m/s)."""
+    restitution: float = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
+    return min(max(restitution, 0.0), 1.0)
 
 
 @njit(cache=True, error_model="numpy")
@@ -139,4 +145,4 @@ def _han(
     ball[WZ] = spin_z / radius
 
 
-__all__ = ["bounce", "lean", "meet_nose"]
+__all__ = ["HUG", "bounce", "lean", "meet_nose", "restitution_at"]

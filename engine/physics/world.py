@@ -95,12 +95,12 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "solver": ("stepwise", "corrective", "preemptive"),
         "motion": ("slide-roll", "two-speed"),
-        "ball_ball": ("frictional", "elastic"),
-        "ball_cushion": ("han-2005", "mathavan-2010", "restitution"),
+        "ball_ball": ("frictional", "elastic", "mathavan-2014"),
+        "ball_cushion": ("han-2005", "mathavan-2010", "restitution", "stronge"),
         "strike": ("point",),
-        "pocket": ("drop-edge",),
+        "pocket": ("drop-edge", "rim-lip"),
         "flight": ("none", "ballistic"),
-        "cluster": ("hertz",),
+        "cluster": ("hertz", "simultaneous", "sequential"),
     }
 )
 """The names that each field of Models may have."""
