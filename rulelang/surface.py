@@ -15,6 +15,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 from rulelang.diagnostics import Diagnostic
 from rulelang.indent import BadDedent
 from rulelang.meant import Meant, meant, meant_by_sign
+from rulelang.words import OPENING, PAST
 
 if TYPE_CHECKING:
     from lark import Lark
@@ -23,19 +24,10 @@ LONGEST = 200_000
 DEEPEST = 24
 HEAVIEST = 100
 _WEIGHTY = re.compile(r"\b(?:not|plus|minus|times|except|of|touching|by)\b")
-_EVENTS = {
-    "pocketed", "hit", "left", "crossed", "entered", "jumped", "toppled", "rebounded", "settled",
-    "pressed", "started", "leaned",
-}  # fmt: skip
 _PRESENT = {
     "pockets": "pocketed", "hits": "hit", "leaves": "left", "crosses": "crossed",
     "enters": "entered", "jumps": "jumped", "topples": "toppled", "rebounds": "rebounded",
     "potted": "pocketed", "touches": "touched",
-}  # fmt: skip
-_ACTIONS = {
-    "foul", "award", "deduct", "add", "set", "reset", "assign", "go", "turn", "spot", "respot",
-    "remove", "rerack", "restore", "give", "require", "allow", "shooter", "opponent", "leader",
-    "tie", "eliminate", "reinstate", "nothing", "offer", "if", "for",
 }  # fmt: skip
 _OPENERS = ("if ", "otherwise", "rule ", "for each", "offer ", "fouls", "points", "ending")
 
@@ -141,7 +133,7 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         return made(*special)
     if text in ("and", "or") and re.search(rf"\b{'or' if text == 'and' else 'and'}\b", row):
         return made("R103", "`and` and `or` are mixed", "put brackets around one of them")
-    if text in _EVENTS and last in ("is", "are", "was", "were", "has", "have", "been"):
+    if text in PAST and last in ("is", "are", "was", "were", "has", "have", "been"):
         return made(
             "R107", f"an event is told without `{last}`", f"say `... {text}`, without `{last}`"
         )
@@ -151,7 +143,7 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         column = row[: column - 1].rstrip().rfind(last) + 1
         width = len(last)
         return made("R101", f"`{last}` is not a word of the language", f"say `{_PRESENT[last]}`")
-    if "`:`" in expected and text in _ACTIONS:
+    if "`:`" in expected and text in OPENING:
         return made("R102", f"a colon is missing before `{text}`", f"write `: {text}`")
     mend = _close(text, trouble.accepts or trouble.expected, parser)
     previous = _close(last, None, parser) if token.type == "NAME" or last else ""

@@ -118,11 +118,18 @@ def _schema(kind: str) -> str:
     return json.dumps(schema_of(kind), indent=1) + "\n"
 
 
+def _textmate() -> str:
+    from rulelang.highlight import textmate  # noqa: PLC0415
+
+    return json.dumps(textmate(), indent=1) + "\n"
+
+
 def files() -> Mapping[str, Callable[[], str]]:
     """Return whole files that are made, by their place in the project."""
     from engine.authoring.schema import KINDS  # noqa: PLC0415
 
-    return {f"variants/schema/{kind}.json": partial(_schema, kind) for kind in KINDS}
+    schemas = {f"variants/schema/{kind}.json": partial(_schema, kind) for kind in KINDS}
+    return {**schemas, "editors/vscode/rules.tmLanguage.json": _textmate}
 
 
 def remade(text: str) -> str:
