@@ -13,11 +13,14 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.closures import joined, singles
 from rulelang.code import Code
+from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from rulelang.expressions import Expressions
+    from rulelang.vocabulary import Vocabulary
+    from rulelang.watch import Watch
 
 MOST = 10**12
 """No number of a script grows beyond this, either way."""
@@ -49,6 +52,9 @@ def total(x: Expressions, node: s.Total) -> Code:
         return joined(Code(k.NUMBER, lambda c: len(c.fouls)), fouls)
     base = x.want(node.base, k.BALLS)
     balls = base.run
+    if what == "pocket value":
+        x.after_shot(node, what)
+        return joined(Code(k.NUMBER, _pocket_value(balls, x.scope.vocabulary)), base)
     if what == "number":
         return joined(Code(k.NUMBER, lambda c: balls(c).bit_count()), base)
     fold: Callable[[list[int]], int] = {
@@ -59,6 +65,17 @@ def total(x: Expressions, node: s.Total) -> Code:
     return joined(
         Code(k.NUMBER, lambda c: fold([c.values.get(b, 0) for b in singles(balls(c))])), base
     )
+
+
+def _pocket_value(balls: k.Run, words: Vocabulary) -> k.Run:
+    """Return what the pockets are worth that balls of a set went into."""
+    values = words.pocket_values
+
+    def run(c: Watch) -> int:
+        mask = balls(c)
+        return sum(values.get(pocket, 0) for _, ball, pocket in c.ev[POCKETED] if ball & mask)
+
+    return run
 
 
 def _extreme_number(x: Expressions, node: s.Total) -> Code:

@@ -32,7 +32,7 @@ class Place:
     `kind` is "at" (on `spot`), "highest-free" (the free own spot of highest value), "occupant"
     (the home of the ball that covers the place tried before; homes in Decisions.homes), "near"
     (as near `spot` as possible on the line toward `toward`, "head" or "foot", without touching),
-    "lay" (where the ball lay when all balls had stopped).
+    "lay" (where the ball lay when all balls had stopped), "later" (it stays off the table).
     """
 
     kind: str

@@ -43,3 +43,4 @@ class Vocabulary:
     pins: tuple[str, ...] = ()
     settings: Mapping[str, Value] = field(default_factory=lambda: MappingProxyType({}))
     players: tuple[int, int] = (2, 2)
+    pocket_values: Mapping[str, int] = field(default_factory=lambda: MappingProxyType({}))

@@ -14,14 +14,14 @@ from engine.game.referee import look_ahead
 from engine.game.shot import Refusal
 from engine.game.sight import View, has_full_path
 from engine.game.situation import Situation, cue_ball_of
-from engine.table.furniture import BallId, Places
+from engine.table.furniture import Area, BallId, Opposite, Places
 from engine.table.marks import contains
 from engine.table.region import has_room
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from engine.table.furniture import Point, ZoneId
+    from engine.table.furniture import Point, Zone, ZoneId
     from engine.variant.variant import Variant
 
 GRID = 160
@@ -42,9 +42,24 @@ def refuse_place(variant: Variant, situation: Situation, at: Point) -> Refusal |
     radius = next(one.radius for one in variant.world.balls if one.id == ball)
     if not has_room(table, at, radius):
         return Refusal("the ball does not lie on the bed", "move it away from the cushion")
-    if not contains(table.zones[zone], at, table):
+    if not contains(zone_in_hand(variant, situation, zone), at, table):
         return Refusal(f"that is outside {zone}", f"the ball is in hand in {zone}")
     return None
+
+
+def zone_in_hand(variant: Variant, situation: Situation, zone: ZoneId) -> Zone:
+    """Return where the ball in hand may be put: the zone, or that of several that is open.
+
+    Where a ball on stands between them, the whole bed is.
+    """
+    table = variant.world.table
+    whole = table.zones[zone]
+    if not isinstance(whole, Opposite):
+        return whole
+    lying = situation.rest.positions
+    on = [lying[BallId(ball)] for ball in look_ahead(variant, situation).on if ball in lying]
+    free = [area for area in whole.areas if not any(contains(area, at, table) for at in on)]
+    return free[0] if len(free) == 1 else Area()
 
 
 def _overlapped(variant: Variant, situation: Situation, ball: BallId, at: Point) -> BallId | None:
@@ -64,7 +79,7 @@ def usual_place(variant: Variant, situation: Situation) -> Point | None:
     if situation.in_hand is None:
         return None
     table = variant.world.table
-    zone = table.zones[situation.in_hand]
+    zone = zone_in_hand(variant, situation, situation.in_hand)
     places = sorted(
         (at for at in _places(variant, situation.in_hand) if contains(zone, at, table)),
         key=lambda at: (round(abs(at[1]), 6), -at[0]),

@@ -51,7 +51,26 @@ def predicates_of(
         hiding = [snookering_balls(view, map(BallId, targets)) for view in views]
         return _one_of(hiding[0], shot.call.ball) if hiding and all(hiding) else None
 
-    return {"path": path, "snookering-ball": snookering}
+    def nearest(
+        targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
+    ) -> Value | None:
+        board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
+        return _nearest(variant, board.rest.positions, targets, zone)
+
+    return {"path": path, "snookering-ball": snookering, "nearest": nearest}
+
+
+def _nearest(
+    variant: Variant, lying: Mapping[BallId, Point], targets: frozenset[str], zone: str | None
+) -> Value | None:
+    """Return which of the balls lies nearest to the places of a zone."""
+    area = None if zone is None else variant.world.table.zones[ZoneId(zone)]
+    if not isinstance(area, Places) or not lying.keys() >= targets or not targets:
+        return None
+    return min(
+        sorted(map(BallId, targets)),
+        key=lambda ball: min(hypot(lying[ball][0] - x, lying[ball][1] - y) for x, y in area.points),
+    )
 
 
 def _one_of(hiding: tuple[BallId, ...], called: str | None) -> BallId:

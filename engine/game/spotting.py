@@ -127,6 +127,8 @@ def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]
         return replace(board, on_table=board.on_table | {ball}, spotted=(*board.spotted, put))
     covering: BallId | None = None
     for place in action.places:
+        if place.kind == "later":
+            return board
         spot = _spot_of(variant, board, place, ball, covering, homes)
         if spot is None:
             continue

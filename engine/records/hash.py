@@ -32,7 +32,7 @@ def _spell(value: object) -> Iterator[str]:
     if is_dataclass(value):
         yield type(value).__name__
         for one in fields(value):
-            if one.name not in {"spots", "lines", "zones", "rail_width"} | _unset(value):
+            if one.name not in {"spots", "lines", "zones", "rail_width", "value"} | _unset(value):
                 yield one.name
                 yield from _spell(getattr(value, one.name))
     elif isinstance(value, tuple):

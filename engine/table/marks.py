@@ -13,7 +13,7 @@ from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
 
 from engine.geometry.vectors import distance, dot
-from engine.table.furniture import Disc, Figure, HalfPlane, Line, Places, Straight
+from engine.table.furniture import Disc, Figure, HalfPlane, Line, Opposite, Places, Straight
 from engine.table.region import ends, on_bed
 
 if TYPE_CHECKING:
@@ -69,6 +69,8 @@ def contains(zone: Zone, point: Point, table: Table) -> bool:
     """
     if isinstance(zone, Places):
         return any(distance(point, place) <= ON for place in zone.points)
+    if isinstance(zone, Opposite):
+        return any(contains(area, point, table) for area in zone.areas)
     if isinstance(zone, Figure):
         depth = zone.margin - _from_figure(zone.corners, point)
         return _on_bed(point, table) and depth + _border(closed=zone.closed) > 0.0
@@ -180,6 +182,8 @@ def _borders(zone: Zone, piece: Piece, table: Table) -> tuple[Polynomial, ...]:
     """Return polynomials in s that are zero wherever the answer of `contains` can change."""
     if isinstance(zone, Places):
         return tuple(_from_centre(place, ON, piece) for place in zone.points)
+    if isinstance(zone, Opposite):
+        return tuple(border for area in zone.areas for border in _borders(area, piece, table))
     borders = _outline_borders(table, piece) or [
         _shifted(_distance_along(normal, (0.0, 0.0), piece), -half - ON)
         for normal, half in (

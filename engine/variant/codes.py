@@ -35,6 +35,7 @@ CODES = MappingProxyType(
         "V305": "a ball that is put in two places",
         "V306": "a ball without a colour",
         "V307": "a cut that the outline does not have",
+        "V308": "a zone that the table does not have",
         "V401": "a spot outside the bed",
         "V402": "balls of the rack that overlap",
         "V403": "a ball of the rack that does not lie on the bed",

@@ -18,6 +18,7 @@ from engine.table.furniture import (
     HalfPlane,
     Line,
     LineId,
+    Opposite,
     Places,
     SpotId,
     ZoneId,
@@ -51,7 +52,9 @@ class Surveyor:
         bare = bare_table(spec, size, radius, report)
         self.sound = bare is not None
         bare = bare or plain_table(spec, size)
-        self.bed = with_bodies(bare, self.bodies("posts"), self.bodies("holes"), report)
+        self.bed = self.valued(
+            with_bodies(bare, self.bodies("posts"), self.bodies("holes"), report)
+        )
 
     def bodies(self, key: str) -> dict[str, tuple[Point, float]]:
         """Return the posts or the holes: names, centres and radii (m)."""
@@ -62,6 +65,12 @@ class Surveyor:
             if at is not None:
                 found[name] = at, shape.radius
         return found
+
+    def valued(self, table: Table) -> Table:
+        """Return the table with what a ball in each hole counts."""
+        values = {name: hole.value for name, hole in self.spec.holes.items()}
+        pockets = (replace(one, value=values.get(one.id, 0)) for one in table.pockets)
+        return replace(table, pockets=tuple(pockets))
 
     def number(self, expression: Expression | None, path: KeyPath) -> float | None:
         """Return a coordinate in metres; None, and a mistake, where it cannot be had."""
@@ -186,16 +195,37 @@ class Surveyor:
                     "drop one of its bounds, or turn one round",
                 )
             found[ZoneId(name)] = zone or Area()
+        return found | self.opposites(found)
+
+    def opposites(self, zones: Mapping[ZoneId, Zone]) -> dict[ZoneId, Zone]:
+        """Return the zones that are whichever of several areas holds no ball on."""
+        found: dict[ZoneId, Zone] = {}
+        for name, shape in self.spec.zones.items():
+            areas = []
+            for index, other in enumerate(shape.opposite or ()):
+                path: KeyPath = ("table", "zones", name, "opposite", index)
+                zone = zones.get(ZoneId(other))
+                if zone is None:
+                    self.report.unknown("V308", path, "zone", other, self.spec.zones)
+                elif isinstance(zone, Area) and not self.spec.zones[other].opposite:
+                    areas.append(zone)
+                else:
+                    mend = "name zones with `behind`, `beyond`, `left_of`, `right_of` or `disc`"
+                    self.report.add("V110", path, f"zone `{other}` is no area", mend)
+            if shape.opposite:
+                found[ZoneId(name)] = Opposite(tuple(areas))
         return found
 
     def zone(self, shape: ZoneShape, path: KeyPath, lines: Mapping[LineId, Line]) -> Zone | None:
         """Return one zone."""
         sides = shape.behind or shape.beyond or shape.left_of or shape.right_of
         area = bool(sides or shape.disc is not None)
-        kinds = (shape.bed is not None, area, shape.places is not None, shape.figure is not None)
-        if sum(kinds) != 1:
+        single = (shape.bed, shape.places, shape.figure, shape.opposite)
+        if area + sum(kind is not None for kind in single) != 1:
             mend = 'write bed = true, or behind = "a-line", or places = ["a-spot"]'
             self.report.add("V110", path, "a zone is the bed, an area, or places", mend)
+            return None
+        if shape.opposite is not None:
             return None
         if shape.figure is not None:
             corners = self.corners(shape.figure.corners, (*path, "figure", "corners"))

@@ -26,6 +26,7 @@ def vocabulary_of(variant: Variant | Draft) -> Vocabulary:
         ),
         cue_balls=tuple(variant.cue_balls),
         pockets=tuple(pocket.id for pocket in table.pockets),
+        pocket_values=MappingProxyType({one.id: one.value for one in table.pockets if one.value}),
         cushions=tuple(cushion.id for cushion in table.cushions),
         lines=tuple(table.lines),
         zones=tuple(table.zones),

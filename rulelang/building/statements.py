@@ -65,6 +65,7 @@ def _place(n: Any) -> s.PlaceAt:
                 "at_occupant": "occupant",
                 "at_own": "own",
                 "where_it_lay": "lay",
+                "later": "later",
             }
             return s.PlaceAt(at, kind.get(word, "highest-free"))
 
