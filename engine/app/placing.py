@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.game.placing import refuse_place, usual_place
+from engine.game.placing import refuse_place, usual_place, zone_in_hand
 from engine.game.situation import cue_ball_of
 from engine.table.furniture import Area, HalfPlane, Places
 
@@ -90,7 +90,7 @@ def placing_of(variant: Variant, situation: Situation) -> Placing | None:
     others = [name for name in lying if name != ball]
     places = np.array([lying[name] for name in others], dtype=np.float64).reshape(-1, 2)
     reaches = np.array([radii[name] + radii[ball] for name in others])
-    zone = variant.world.table.zones[situation.in_hand]
+    zone = zone_in_hand(variant, situation, situation.in_hand)
     bare = Placing(variant, situation, zone, radii[ball], places, reaches, np.zeros((0, 2)))
     wishes = np.array(zone.points) if isinstance(zone, Places) else _grid(variant, radii[ball])
     if len(places) and not isinstance(zone, Places):
