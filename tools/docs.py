@@ -50,6 +50,38 @@ def script_codes() -> str:
     return _table(CODES)
 
 
+def events() -> str:
+    """Return the events of shot records, each with its phrase."""
+    from rulelang.phrases import EVENT_PHRASES  # noqa: PLC0415
+
+    rows = "\n".join(f"| `{event}` | `{phrase}` |" for event, phrase in EVENT_PHRASES)
+    return f"| event | phrase |\n|---|---|\n{rows}\n"
+
+
+def phrases() -> str:
+    """Return every phrase of the language by groups."""
+    from rulelang.phrases import PHRASES  # noqa: PLC0415
+
+    text = ""
+    for group in dict.fromkeys(one.group for one in PHRASES):
+        rows = "\n".join(
+            f"| {_code(one.spelling)} | {one.meaning} | {_code(one.example)} |"
+            for one in PHRASES
+            if one.group == group
+        )
+        text += f"\n### {group}\n\n| phrase | meaning | example |\n|---|---|---|\n{rows}\n"
+    return text
+
+
+def _code(text: str) -> str:
+    """Return lines of a script as they can stand in a table."""
+    lines = [line.replace("|", "&#124;") for line in text.split("\n")]
+    return "<br>".join(
+        f"{'&nbsp;' * (len(line) - len(line.lstrip()))}<code>{line.lstrip()}</code>"
+        for line in lines
+    )
+
+
 def commands() -> str:
     """Return what every command says of itself, its options as a table."""
     from engine.__main__ import main  # noqa: PLC0415
@@ -106,6 +138,8 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
     "script-codes": script_codes,
+    "events": events,
+    "phrases": phrases,
     "commands": commands,
     "keys": keys,
     "validation": validation,

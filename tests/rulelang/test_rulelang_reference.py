@@ -21,7 +21,9 @@ ALSO = {
     ("cue hits 8", "cue hits 8 and 9"),
     ("8 topples left-pin", "8 and 9 topple left-pin"),
 }
-TABLE = replace(POOL, pins=("left-pin", "right-pin"), zones=(*POOL.zones, "foot-end"))
+TABLE = replace(
+    POOL, pins=("left-pin", "right-pin"), zones=(*POOL.zones, "foot-end"), players=(2, 4)
+)
 
 
 @pytest.mark.parametrize("example", EXAMPLES)
