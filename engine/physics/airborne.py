@@ -236,11 +236,11 @@ def pair_in_air(
     by = (two[VY] + u * two[AY]) - (one[VY] + s * one[AY])
     ax, ay = 0.5 * (two[AX] - one[AX]), 0.5 * (two[AY] - one[AY])
     distance = one[RADIUS] + two[RADIUS]
-    return now + _closes(cx, cy, z2 - z1, bx, by, w2 - w1, ax, ay, a2 - a1, distance, last)
+    return now + closes_in_space(cx, cy, z2 - z1, bx, by, w2 - w1, ax, ay, a2 - a1, distance, last)
 
 
 @njit(cache=True, error_model="numpy")
-def _closes(
+def closes_in_space(
     cx: float,
     cy: float,
     cz: float,
@@ -253,7 +253,7 @@ def _closes(
     distance: float,
     last: float,
 ) -> float:
-    """Return when |c + b t + a t^2| first falls below `distance` (m), as `predict.closes`."""
+    """Return when |c + b t + a t^2| first falls below `distance` (m), as `predict.closes`, s."""
     square = cx * cx + cy * cy + cz * cz
     gap = square - distance * distance
     drift = cx * bx + cy * by + cz * bz
@@ -292,6 +292,7 @@ def _closes(
 
 
 __all__ = [
+    "closes_in_space",
     "fall_time",
     "flight_end",
     "inside",

@@ -21,16 +21,29 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A ball's velocity (m/s) along the bed, its spin (rad/s), and its speed upwards (m/s)."""
+    """A ball's velocity (m/s) along the bed and its spin (rad/s).
+
+    `rise` is its speed upwards (m/s), and `height` (m) how high above the bed it is.
+    """
 
     velocity: tuple[float, float]
     spin: tuple[float, float, float]
     rise: float = 0.0
+    height: float = 0.0
 
 
 def miscue_limit(cue: Cue) -> float:
     """Return the greatest offset (ball radii) at which the tip grips: mu / sqrt(1 + mu^2)."""
     return cue.tip_friction / sqrt(1.0 + cue.tip_friction**2)
+
+
+def axis_offset(offset: float, radius: float, tip_radius: float) -> float:
+    """Return how far beside the ball's centre (ball radii) the axis of a cue runs.
+
+    A round tip touches at `offset` radii nearer to the centre than its axis, since the two
+    spheres touch on the line of their centres: axis / contact = (R + r) / R.
+    """
+    return offset * (radius + tip_radius) / radius
 
 
 def squirt_angle(side: float, end_mass_ratio: float) -> float:
@@ -48,6 +61,14 @@ def strike_ball(
     """Return how the ball starts; raises ValueError where the tip cannot meet the ball.
 
     Unless it `flies`, the bed takes all of the downward speed.
+    """
+    return _press(ball, cloth, tip_blow(ball, cue, strike), flies=flies)
+
+
+def tip_blow(ball: Ball, cue: Cue, strike: Strike) -> Motion:
+    """Return what the tip alone gives to the ball, before the bed answers: `rise` is not above 0.
+
+    Raises ValueError where the tip cannot meet the ball.
     """
     _check(strike)
     offset, miss = hypot(strike.side, strike.follow), 0.0
@@ -70,7 +91,7 @@ def strike_ball(
     c, s = cos(strike.heading), sin(strike.heading)
     # the cue's right-hand side is (sin, -cos); follow turns the ball about its left-hand side
     spin = (ahead * c + right * s, ahead * s - right * c, up)
-    return _press(ball, cloth, velocity, spin, speed * down, flies=flies)
+    return Motion(velocity, spin, -speed * down)
 
 
 def _check(strike: Strike) -> None:
@@ -86,16 +107,9 @@ def _check(strike: Strike) -> None:
         raise ValueError(message)
 
 
-def _press(
-    ball: Ball,
-    cloth: Cloth,
-    velocity: tuple[float, float],
-    spin: tuple[float, float, float],
-    pressed: float,
-    *,
-    flies: bool,
-) -> Motion:
-    """Return the motion after the bed has answered the downward speed `pressed` (m/s)."""
+def _press(ball: Ball, cloth: Cloth, given: Motion, *, flies: bool) -> Motion:
+    """Return the motion after the bed has answered the downward speed."""
+    pressed, velocity, spin = -given.rise, given.velocity, given.spin
     rise = cloth.bounce * pressed if flies else 0.0
     if rise * rise <= 2.0 * cloth.gravity * HOP:
         rise = 0.0
@@ -106,7 +120,8 @@ def _press(
     total = hypot(*slip)
     if total == 0.0 or pressed <= 0.0:
         return Motion(velocity, spin, rise)
-    change = min(cloth.sliding * (pressed + rise), total / 3.5)
+    sliding = cloth.sliding if ball.sliding is None else ball.sliding
+    change = min(sliding * (pressed + rise), total / 3.5)
     ux, uy = slip[0] / total, slip[1] / total
     twist = 2.5 * change / ball.radius
     return Motion(
@@ -116,4 +131,4 @@ def _press(
     )
 
 
-__all__ = ["Motion", "miscue_limit", "squirt_angle", "strike_ball"]
+__all__ = ["Motion", "axis_offset", "miscue_limit", "squirt_angle", "strike_ball", "tip_blow"]

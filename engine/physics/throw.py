@@ -28,8 +28,9 @@ def throw_balls(
 ) -> Trace:
     """Return the shot that begins with these velocities (m/s) and spins (rad/s).
 
-    Balls without a motion lie still; `until` (s) cuts the shot off. Raises ValueError as
-    `simulate` does, and where a ball moves that is not on the table.
+    A ball with a height or a rise begins in the air, whatever the model of flight. Balls without a
+    motion lie still; `until` (s) cuts the shot off. Raises ValueError as `simulate` does, and where
+    a ball moves that is not on the table.
     """
     strangers = sorted(set(motions) - set(layout))
     if strangers or not layout:
@@ -41,7 +42,9 @@ def throw_balls(
         if (motion := motions.get(ball.id)) is not None:
             rows[index, [state.VX, state.VY]] = motion.velocity
             rows[index, [state.WX, state.WY, state.WZ]] = motion.spin
-            kinds[index] = state.SLIDE
+            rows[index, state.Z] += motion.height
+            rows[index, state.VZ] = motion.rise
+            kinds[index] = state.FLY if motion.height > 0.0 or motion.rise > 0.0 else state.SLIDE
     shot.advance(until)
     return shot.trace()
 

@@ -10,7 +10,17 @@ import re
 from typing import TYPE_CHECKING
 
 from engine.physics.simulate import EventStormError
-from tools.validate import balls, cloth, cluster, cue, cushion, invariants, measured, scene
+from tools.validate import (
+    balls,
+    cloth,
+    cluster,
+    cue,
+    cushion,
+    flight,
+    measured,
+    scene,
+    space,
+)
 from tools.validate.check import (
     FAIL,
     NOT_APPLICABLE,
@@ -34,9 +44,11 @@ def _kinds(check: Check) -> Kinds:
     if letter == "K" or (check.kind == "measured" and letter == "E"):
         return measured.KINDS
     if letter == "B" and check.has("v_max"):
-        return invariants.KINDS
+        return space.KINDS
     if letter == "F" and check.has("theta_deg"):
         return cue.RAISED
+    if letter == "C" and flight.is_spatial(check):
+        return flight.MEETINGS
     return {
         "A": cloth.KINDS,
         "B": balls.KINDS,
@@ -44,6 +56,7 @@ def _kinds(check: Check) -> Kinds:
         "D": balls.KINDS,
         "E": cushion.KINDS,
         "F": cue.KINDS,
+        "G": flight.KINDS,
         "H": scene.KINDS,
         "I": scene.KINDS,
         "J": (*cluster.KINDS, *balls.KINDS),
@@ -56,8 +69,6 @@ def run_check(check: Check) -> Result:
 
 
 def _answer(check: Check, wanted: Wanted) -> Answer:
-    if check.group[:1].upper() == "G":
-        return Answer(wanted, NOT_APPLICABLE, reason="needs flight, or a pocket with rim and lip")
     for pattern, ask in _kinds(check):
         if re.fullmatch(pattern, wanted.quantity):
             return _asked(check, wanted, ask)

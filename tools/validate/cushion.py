@@ -185,7 +185,7 @@ def _law(_check: Check, _wanted: Wanted) -> object:
 
 
 KINDS = (
-    *INVARIANTS[1:],
+    *INVARIANTS,
     (r".*sin\(theta\)", _sine),
     (r"theta", _theta),
     (r"horizontal centre-nose distance", _reach),

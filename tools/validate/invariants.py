@@ -1,4 +1,4 @@
-"""What must hold for every meeting: momentum, energy, mirror and scale, over random states."""
+"""What must hold for every hit on a nose: energy, mirror and scale, over random states."""
 
 from __future__ import annotations
 
@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.collide import strike_apart
 from engine.physics.pack import nose_reach, pack_rubber, pack_world
 from engine.physics.rebound import bounce
-from engine.physics.world import MODEL_NAMES, Contact, Rubber
-from tools.validate.check import NotApplicableError
-from tools.validate.lab import MASS, RADIUS, contact_of, world_of
+from engine.physics.world import MODEL_NAMES, Rubber
+from tools.validate.lab import MASS, RADIUS, world_of
 from tools.validate.prose import spoken
 
 if TYPE_CHECKING:
@@ -35,47 +33,6 @@ def _energy(rows: Floats) -> Floats:
     each = rows[..., state.MASS] * (0.5 * v2 + 0.2 * rows[..., state.RADIUS] ** 2 * w2)
     total: Floats = each.reshape(len(rows), -1).sum(-1)
     return total
-
-
-def _meetings(check: Check, contact: Contact) -> tuple[Floats, Floats]:
-    """Return random pairs (n, 2, 17) of unequal balls that near each other, before and after."""
-    n, chance = _states(check), np.random.default_rng(int(check.number("seed", default=1)))
-    top, turn = check.number("v_max"), check.number("w_max")
-    rows = np.zeros((n, 2, state.BALL_WIDTH))
-    rows[..., state.RADIUS] = chance.uniform(0.02, 0.04, (n, 2))
-    rows[..., state.MASS] = chance.uniform(0.1, 0.4, (n, 2))
-    rows[..., V] = chance.uniform(-top, top, (n, 2, 2))
-    rows[..., W] = chance.uniform(-turn, turn, (n, 2, 3))
-    angle = chance.uniform(0.0, 2.0 * np.pi, n)
-    reach = 2.0 * np.sqrt(rows[:, 0, state.RADIUS] * rows[:, 1, state.RADIUS])
-    rows[:, 1, state.X], rows[:, 1, state.Y] = reach * np.cos(angle), reach * np.sin(angle)
-    closing = ((rows[:, 0][:, V] - rows[:, 1][:, V]) * rows[:, 1][:, [state.X, state.Y]]).sum(-1)
-    away = np.flatnonzero(closing < 0.0)
-    for column in V:  # velocities changed over, so that they near each other
-        rows[away, 0, column], rows[away, 1, column] = (
-            rows[away, 1, column],
-            rows[away, 0, column],
-        )
-    before, world = rows.copy(), pack_world(world_of(check, contact=contact))
-    for pair in rows:
-        strike_apart(pair[0], pair[1], world)
-    return before, rows
-
-
-def _pair_invariant(check: Check, wanted: Wanted) -> object:
-    if "angular" in wanted.quantity:
-        raise NotApplicableError("needs flight: vertical velocities are dropped on the bed")
-    smooth = wanted.quantity.startswith("e=1")
-    before, after = _meetings(check, Contact(1.0, 0.0) if smooth else contact_of(check))
-    if "momentum" in wanted.quantity:
-        weights = before[..., state.MASS][..., None]
-        old, new = (weights * before[..., V]).sum(1), (weights * after[..., V]).sum(1)
-        scale = np.abs(weights * before[..., V]).sum((1, 2))
-        return float((np.abs(new - old).max(-1) / scale).max())
-    gain = _energy(after) - _energy(before)
-    if smooth:
-        return float((np.abs(gain) / _energy(before)).max())
-    return max(0.0, float(gain.max()))
 
 
 def _rebounds(check: Check, model: str) -> tuple[Floats, tuple[Floats, Floats], Floats]:
@@ -128,8 +85,5 @@ def _of_model(check: Check, wanted: Wanted, model: str) -> float:
     return float(error.max())
 
 
-KINDS = (
-    (r"rel. (angular )?momentum error|max dKE|e=1, mu=0: .*", _pair_invariant),
-    (r"mirror error|scale error.*|max dKE", _rebound_invariant),
-)
-"""Which quantity is answered by what: first those of pairs, then those of a nose."""
+KINDS = ((r"mirror error|scale error.*|max dKE", _rebound_invariant),)
+"""Which quantity is answered by what."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics.collide import friction
-from engine.physics.events import CushionHit, RollingBegan
+from engine.physics.events import BallLanded, CushionHit, RollingBegan
 from engine.physics.pack import pack_world
 from engine.physics.strike import Motion
 from engine.physics.throw import throw_balls
@@ -112,6 +112,16 @@ def _rail(world: World) -> float:
     return float(-after / before)
 
 
+def _bed(world: World) -> float:
+    """Return the speed after over before the landing of a ball that falls 10 cm."""
+    ball = world.balls[0]
+    fall = {ball.id: Motion((0.0, 0.0), (0.0, 0.0, 0.0), height=0.1)}
+    trace = throw_balls(world, {ball.id: (0.0, 0.0)}, fall, until=0.2)
+    landing = next(e.time for e in trace.events() if isinstance(e, BallLanded))
+    before, after = trace.velocities([landing - 1e-9, landing + 1e-9])[:, 0, 2]
+    return float(-after / before)
+
+
 def _none(reason: str) -> Callable[[Check, Wanted], object]:
     def answer(check: Check, wanted: Wanted) -> object:  # noqa: ARG001
         raise NotApplicableError(reason)
@@ -127,7 +137,7 @@ KINDS = (
     (r"mu_s", _number(lambda world: world.cloth.sliding)),
     (r"spin decel", _number(lambda world: world.cloth.spin_deceleration)),
     (r"e ball-rail", _number(_rail)),
-    (r"e ball-table", _none("needs flight")),
+    (r"e ball-table", _number(_bed)),
     (r"mu tip", _number(lambda world: world.cue.tip_friction)),
     (r"e tip leather", _number(lambda world: world.cue.tip_restitution)),
     (r"e tip phenolic", _none("no shipped cue has a phenolic tip")),

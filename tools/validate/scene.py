@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from engine.physics.airborne import closes_in_space
 from engine.physics.events import BallsCollided, CushionHit
 from engine.physics.pack import nose_reach
 from engine.physics.predict import NEVER, closes
@@ -45,11 +46,13 @@ def _contact_time(check: Check, _: Wanted) -> object:
         pull = check.numbers("rel_acc_half")
     elif "rolling" in check.words.lower():
         pull = _slows(check, speed)
-    if any(vector[2] for vector in (place, speed, pull)):
-        raise NotApplicableError("needs flight")
-    last = check.number("window", default=LONG)
+    last, apart = check.number("window", default=LONG), 2.0 * radius_of(check)
     c, b, a = place, speed, pull
-    found = float(closes(c[0], c[1], b[0], b[1], a[0], a[1], 2.0 * radius_of(check), last))
+    if any(vector[2] for vector in (c, b, a)):
+        parts = (*c, *b, *a, apart, last)
+        found = float(closes_in_space(*parts))
+    else:
+        found = float(closes(c[0], c[1], b[0], b[1], a[0], a[1], apart, last))
     return None if found == NEVER else found
 
 
@@ -141,10 +144,8 @@ def _play(check: Check) -> tuple[Trace, Point]:
     motions = {}
     for i, one in enumerate(balls):
         v, w = one.get("v", [0.0] * 3), one.get("w", [0.0] * 3)
-        if len(v) > 2 and v[2]:
-            raise NotApplicableError("needs flight")
         if any(v) or any(w):
-            motions[i] = Motion((v[0], v[1]), (w[0], w[1], w[2]))
+            motions[i] = Motion((v[0], v[1]), (w[0], w[1], w[2]), *v[2:])
     return throw(world, places, motions or {0: REST}), middle
 
 
