@@ -13,7 +13,7 @@ import numpy as np
 
 from engine.app.session import Aid
 from engine.game.observe import simulate_shot
-from engine.physics.events import BallsCollided, CushionHit, JawHit
+from engine.physics.events import BallsCollided, CushionHit, JawHit, PinToppled, PinTouched
 
 if TYPE_CHECKING:
     from engine.app.session import Session
@@ -60,7 +60,8 @@ def read_prediction(trace: Trace, ball: BallId, *, whole: bool = True) -> Predic
     to_contact = _way(trace, ball, 0.0, end)
     radius = next(one.radius for one in trace.balls if one.id == ball)
     soon = min(end + SOON, trace.duration)
-    moved = {event.ball for event in trace.events()} if whole else set()
+    seen = trace.events() if whole else ()
+    moved = {one.ball for one in seen if not isinstance(one, PinToppled | PinTouched)}
     return Prediction(
         to_contact=to_contact,
         contact=to_contact[-1] if meeting else None,

@@ -27,7 +27,8 @@ if TYPE_CHECKING:
     from engine.scene.camera import Camera, Vector
     from engine.scene.scene import Scene
     from engine.stage.stage import Stage
-    from engine.table.furniture import BallId, Table, Zone
+    from engine.table.furniture import BallId, PinId, Table, Zone
+    from engine.table.pin import Stance
 
 FACING = facing()
 GOLD = (250, 196, 70)
@@ -58,7 +59,17 @@ class Showing:
             cue=self._cue(session),
             aids=aids,
             discs=discs,
+            pins=self._pins(session),
         )
+
+    def _pins(self, session: Session) -> dict[PinId, Stance]:
+        """Return how each pin stands or lies; one that waits for its place is not shown."""
+        if session.is_showing and session.trace is not None:
+            return session.trace.pins.stances(max(session.clock, 0.0))
+        fallen = session.shown.rest.fallen
+        return {
+            pin: stance for pin, stance in self.stage.pins.upright.items() if pin not in fallen
+        }
 
     def places(self, session: Session) -> dict[BallId, Vector]:
         """Return the centre of every ball shown, m."""

@@ -46,7 +46,8 @@ def simulate_shot(variant: Variant, situation: Situation, shot: Shot) -> Trace:
         raise ValueError("a shot without a strike cannot be played")
     ball = shot.struck or ball_to_strike(variant, situation)
     layout = layout_of(variant, situation, shot)
-    return simulate(variant.world, layout, ball, as_written(shot.strike))
+    strike, fallen = as_written(shot.strike), situation.rest.fallen
+    return simulate(variant.world, layout, ball, strike, fallen=fallen)
 
 
 def play(variant: Variant, situation: Situation, shot: Shot) -> Shot:
@@ -103,6 +104,10 @@ def _translate(event: seen.Event, struck: BallId) -> told.Event | None:
             return told.LeftTable(ball, time)
         case seen.BallJumpedOver(time, ball, other):
             return told.JumpedOver(ball, other, time)
+        case seen.PinToppled(time, pin, by):
+            return told.PinToppled(by, pin, time)
+        case seen.PinTouched(time, pin, by):
+            return told.PinTouched(by, pin, time)
         case seen.RollingBegan() | seen.BallStopped() | seen.BallLanded():
             return None
 

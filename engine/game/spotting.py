@@ -15,6 +15,7 @@ from engine.game.contacts import frozen_pairs
 from engine.game.situation import Rest, Situation, zones_of
 from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
+from engine.table.pin import standing
 from engine.table.room import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
 from rulelang.decisions import Place, Remove, Rerack, Restore, SetUp, Spot, TableAction
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from engine.physics.world import Layout
-    from engine.table.furniture import Pin, Point
+    from engine.table.furniture import Point
     from engine.variant.variant import Variant
 
 GAP = 1e-4
@@ -96,14 +97,10 @@ def place_ball(variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
 def set_up(variant: Variant, rest: Rest, pins: frozenset[str]) -> Rest:
     """Return what lies where after `pins` were set up; one without air to every ball waits."""
     radii = {one.id: one.radius for one in variant.world.balls}
-
-    def has_air(pin: Pin) -> bool:
-        x, y = pin.at
-        return all(
-            hypot(u - x, v - y) > radii[ball] + pin.belly for ball, (u, v) in rest.positions.items()
-        )
-
-    waiting = {pin.id for pin in variant.world.table.pins if pin.id in pins and not has_air(pin)}
+    placed = variant.world.table.pins
+    free = standing(placed, rest.positions, radii)
+    blocked = [pin for pin, has_air in zip(placed, free, strict=True) if not has_air]
+    waiting = {pin.id for pin in blocked if pin.id in pins}
     return replace(rest, fallen=(rest.fallen - pins) | (rest.fallen & waiting))
 
 
