@@ -40,4 +40,8 @@ CODES = {
     "R408": "A rule of a game that cites its rulebook has no cite.",
     "R409": "A frozen define reads what only the shot decides.",
     "R410": "Two rules of one name: an override could not tell them apart.",
+    "R411": "A phase has no way out: no rule leads on from it, or ends the game in it.",
+    "R412": "A ball is to go to a spot of its own, or home, and has none.",
+    "R413": "A call is required that nobody can make on this table.",
+    "R414": "Players go out of the game, and no rule ends it.",
 }

@@ -34,6 +34,7 @@ class Declarations:
     def __init__(self, vocabulary: Vocabulary, scripts: list[s.Script], tell: Tell) -> None:
         self.scope = Scope(vocabulary)
         self.scripts = scripts
+        self.scope.scripts = scripts
         self.tell = tell
         self.headers: dict[str, str] = {}
         self.phase_places: list[tuple[s.Script, str, s.Span]] = []

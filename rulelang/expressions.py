@@ -93,14 +93,15 @@ class Expressions:
 
     def truth(self, node: s.Expr) -> Code:
         """Compile `node` as a condition."""
-        return self.watched(self._truth(node), node)
+        return self.watched(self.event(node), node)
 
     def watched(self, made: Code, node: s.Expr) -> Code:
         """Return a condition with a counter, where the program has a probe."""
         probe = self.scope.probe
         return made if probe is None else probe.condition(made, self.source, node)
 
-    def _truth(self, node: s.Expr) -> Code:
+    def event(self, node: s.Expr) -> Code:
+        """Compile `node` as a condition that is part of another, as an event of a sequence is."""
         made = self.value(node)
         if made.truth is not None:
             return made

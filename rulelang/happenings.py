@@ -196,7 +196,7 @@ class Happenings:
 
     def sequence(self, node: s.Sequence) -> Code:
         """Compile `A before B`, `A after B`, `A then B [then C]`."""
-        parts = [self.x.truth(part) for part in node.parts]
+        parts = [self.x.event(part) for part in node.parts]
         for part, written in zip(parts, node.parts, strict=True):
             if part.within is None or (part.anchor is None and written is not node.parts[0]):
                 raise Mistake(

@@ -7,8 +7,9 @@ Invariant: an error here is certain; what is only likely is a warning.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from rulelang import lints
 from rulelang import syntax as s
 from rulelang.code import Mistake
 from rulelang.scope import nearest
@@ -41,8 +42,11 @@ def check_meaning(
     _names(written, tell)
     _overrides(written, scripts, tell)
     _circles(written, tell)
-    _clashes(rules, tell)
+    lints.clashes(rules, tell)
+    lints.stuck(declarations.scope, rules, tell)
     if sound:
+        lints.shut_phases(declarations, rules, tell)
+        lints.homeless(declarations.scope, rules, tell)
         _phases(declarations, scripts, tell)
         _unused(declarations, scripts, tell)
     if declarations.header("cites"):
@@ -91,45 +95,6 @@ def _circles(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:
             if name not in seen:
                 seen.add(name)
                 path.extend(graph.get(name, ()))
-
-
-def _clashes(rules: list[Ruled], tell: Tell) -> None:
-    """Tell of two rules that decide one thing differently under the same written condition."""
-    seen: dict[tuple[Any, ...], tuple[s.Rule, str]] = {}
-    overriding = {(rule.name, name) for _, rule, _, _ in rules for name, _ in rule.overrides}
-    for script, rule, compiled, _ in rules:
-        for condition, action in _decided(rule):
-            key = (compiled.info.section, rule.phases, _plain(condition), type(action))
-            told = _plain(action)
-            if key in seen and seen[key][1] != told:
-                other = seen[key][0]
-                if {(rule.name, other.name), (other.name, rule.name)} & overriding:
-                    continue
-                message = f'this rule and "{other.name}" (line {other.at.line}) decide differently'
-                mend = f'say `overrides "{other.name}"`, or change a condition'
-                tell(script, Mistake("R401", rule.at, message, mend))
-            seen.setdefault(key, (rule, told))
-
-
-def _decided(rule: s.Rule) -> list[tuple[Any, Any]]:
-    """Return (condition, action) of decisions with one value at the top of a rule."""
-    found: list[tuple[Any, Any]] = []
-    for node in rule.body:
-        pairs: list[tuple[Any, Any]] = [(None, node)]
-        if isinstance(node, s.If):
-            pairs = [(node.branches[0][0], inner) for inner in node.branches[0][1]]
-        found.extend((c, a) for c, a in pairs if isinstance(a, s.Turn | s.GoToPhase | s.GiveInHand))
-    return found
-
-
-def _plain(node: Any) -> str:
-    """Return a tree as text without its places."""
-    if isinstance(node, tuple):
-        return "(" + ",".join(_plain(part) for part in node) + ")"
-    if hasattr(node, "__slots__") and hasattr(node, "at"):
-        names = [name for name in type(node).__dataclass_fields__ if name != "at"]
-        return type(node).__name__ + _plain(tuple(getattr(node, name) for name in names))
-    return repr(node)
 
 
 def _phases(declarations: Declarations, scripts: list[s.Script], tell: Tell) -> None:

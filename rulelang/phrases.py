@@ -143,7 +143,8 @@ PHRASES: tuple[Phrase, ...] = (
          "if 9-ball pocketed: shooter wins rack\nif 8-ball pocketed: shooter loses match"),
         ("tie game | match", "an end without a winner", "if 8-ball pocketed: tie frame"),
         ("eliminate WHO, reinstate WHO", "puts a player out of the game, or in again",
-         "if cue ball pocketed: eliminate shooter\nif 8-ball pocketed: reinstate opponent"),
+         "if cue ball pocketed: eliminate shooter\nif 8-ball pocketed: reinstate opponent\n"
+         "if 9-ball pocketed: leader wins game"),
         ("if CONDITION [unless CONDITION]: ... otherwise if ...: ... otherwise: ...", "branches",
          "if 8-ball pocketed unless cue ball pocketed: turn continues\n"
          "otherwise if 9-ball pocketed: turn continues\notherwise: turn passes"),
@@ -156,7 +157,7 @@ PHRASES: tuple[Phrase, ...] = (
         PLACING,
         ("at SPOT", "on a spot that is free", "spot 8-ball at foot-spot"),
         ("at own spot", "on the ball's own spot, as the variant gives it",
-         "spot 8-ball at own spot"),
+         "spot 8-ball at own spot else near own spot toward foot"),
         ("at home", "on the spot that `home of` gives", "spot 8-ball at home",
          "home of 8-ball is foot-spot\n"),
         ("at home of occupant", "where the ball lives that covers the place tried before",

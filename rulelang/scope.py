@@ -49,6 +49,7 @@ class Scope:
     fouls: dict[str, None] = field(default_factory=dict)
     options: dict[str, None] = field(default_factory=dict)
     sources: dict[str, str] = field(default_factory=dict)
+    scripts: list[s.Script] = field(default_factory=list)
     owners: dict[str, s.Script] = field(default_factory=dict)
     memo_size: int = 0
     staged: list[int] = field(default_factory=list)
