@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
-from engine.physics.collide import find_rub, give_rub, strike_apart
+from engine.physics.collide import find_rub, give_rub, restitution, strike_apart
 from engine.physics.shock import (
     C_A,
     C_ACROSS,
@@ -35,7 +35,6 @@ from engine.physics.state import (
     ELASTIC,
     G_BALL_BALL,
     G_TOUCH,
-    LIVELY,
     MASS,
     RADIUS,
     SOFT,
@@ -82,7 +81,7 @@ def spread_at_once(
         fastest = _fastest(balls, row)
         if fastest <= SOFT and turn > 0:
             break
-        e = _least_lively(balls, row) if turn < ROUNDS else 0.0
+        e = _least_lively(balls, row, world, fastest) if turn < ROUNDS else 0.0
         order = _round(balls, world, row, fastest, order, e)
     return total
 
@@ -188,12 +187,12 @@ def _round(
 
 
 @njit(cache=True, error_model="numpy")
-def _least_lively(balls: Floats, contacts: Floats) -> float:
+def _least_lively(balls: Floats, contacts: Floats, world: Floats, speed: float) -> float:
     """Return the least restitution of the contacts: one for all, so that no energy is gained."""
     least = 1.0
     for c in range(contacts.shape[0]):
         a, b = int(contacts[c, C_A]), int(contacts[c, C_B])
-        least = min(least, 0.5 * (balls[a, LIVELY] + balls[b, LIVELY]))
+        least = min(least, restitution(balls[a], balls[b], world, speed))
     return least
 
 

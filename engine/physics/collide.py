@@ -18,6 +18,8 @@ from engine.physics.state import (
     G_BALL_BALL,
     G_DECAY,
     G_E,
+    G_E_KNEE,
+    G_E_SLOPE,
     G_FLOOR,
     G_RISE,
     GRIP,
@@ -50,10 +52,12 @@ def friction(world: Floats, slip: float) -> float:
 
 
 @njit(cache=True, error_model="numpy")
-def restitution(one: Floats, two: Floats, world: Floats) -> float:
-    """Return the restitution of two balls: the mean of both."""
+def restitution(one: Floats, two: Floats, world: Floats, speed: float) -> float:
+    """Return the restitution of two balls that near at a speed (m/s): the mean of both."""
     e: float = world[G_E] + 0.5 * (one[LIVELY] + two[LIVELY])
-    return e
+    if world[G_E_SLOPE] == 0.0:
+        return e
+    return min(max(e - world[G_E_SLOPE] * max(0.0, speed - world[G_E_KNEE]), 0.0), 1.0)
 
 
 @njit(cache=True, error_model="numpy")
@@ -135,7 +139,7 @@ def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
     nx, ny = nx / gap, ny / gap
     speed = (one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny
     reduced = one[MASS] * two[MASS] / (one[MASS] + two[MASS])
-    leaving = restitution(one, two, world) * speed
+    leaving = restitution(one, two, world, speed) * speed
     if speed < SOFT:
         leaving = _rest_apart(one, two, speed, reduced)
     impulse = (speed + leaving) * reduced

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from numba import njit
 
 from engine.physics.collide import friction, grip, kick, restitution, scale_spin, spin_energy
-from engine.physics.rebound import bounce
+from engine.physics.rebound import bounce, restitution_at
 from engine.physics.state import (
     ELASTIC,
     FLY,
@@ -25,10 +25,7 @@ from engine.physics.state import (
     HOP,
     KICK,
     MASS,
-    N_E,
-    N_KNEE,
     N_RUB,
-    N_SLOPE,
     RADIUS,
     SLIDING,
     SOFT,
@@ -116,8 +113,7 @@ def meet_nose(ball: Floats, world: Floats, nose: Floats, px: float, py: float) -
 
 @njit(cache=True, error_model="numpy")
 def _off_nose(ball: Floats, nose: Floats, nx: float, ny: float, nz: float, speed: float) -> None:
-    lively = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
-    lively = min(max(lively, 0.0), 1.0) if speed >= LIGHT else 1.0
+    lively = restitution_at(nose, speed) if speed >= LIGHT else 1.0
     mass, radius = ball[MASS], ball[RADIUS]
     pressed = (1.0 + lively) * speed * mass
     sx = ball[VX] + radius * (ball[WY] * nz - ball[WZ] * ny) - speed * nx
@@ -151,7 +147,7 @@ def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Flo
     speed = nearing(one, two)
     light = (1.0 - (nz * nz if kind_one != FLY and nz > 0.0 else 0.0)) / one[MASS]
     light += (1.0 - (nz * nz if kind_two != FLY and nz < 0.0 else 0.0)) / two[MASS]
-    leaving = restitution(one, two, world) * speed if speed >= LIGHT else speed
+    leaving = restitution(one, two, world, speed) * speed if speed >= LIGHT else speed
     if speed < KICK:
         leaving, factor = kick(speed, 1.0 / light, spin_energy(one) + spin_energy(two))
         scale_spin(one, factor)

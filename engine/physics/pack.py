@@ -170,6 +170,8 @@ def give_rubber(world: World, noses: NDArray[np.float64], owners: tuple[Owner, .
 def _cover(row: NDArray[np.float64], rubber: Rubber, model: str) -> None:
     row[state.N_E], row[state.N_SLOPE] = rubber.restitution, rubber.restitution_slope
     row[state.N_KNEE], row[state.N_RUB] = rubber.restitution_knee, rubber.friction
+    row[state.N_BEND], row[state.N_LEAST] = rubber.restitution_bend, rubber.restitution_least
+    row[state.N_RUB_SLOPE], row[state.N_RATIO] = rubber.friction_slope, rubber.frequency_ratio
     row[state.N_MODEL] = _choose(CUSHIONS, model, "ball_cushion")
 
 
@@ -208,6 +210,7 @@ def pack_world(world: World) -> NDArray[np.float64]:
     row[state.G_FLOOR], row[state.G_RISE] = contact.friction_floor, contact.friction_rise
     row[state.G_DECAY], row[state.G_NOSE] = contact.friction_decay, table.nose_height
     row[state.G_E], row[state.G_TOUCH] = contact.restitution, contact.cluster_gap
+    row[state.G_E_SLOPE], row[state.G_E_KNEE] = contact.restitution_slope, contact.restitution_knee
     models = world.models
     row[state.G_MOTION] = _choose(MOTIONS, models.motion, "motion")
     row[state.G_BALL_BALL] = _choose(BALL_BALLS, models.ball_ball, "ball_ball")

@@ -17,12 +17,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
+from engine.physics.collide import grip, restitution
 from engine.physics.state import (
     G_DECAY,
     G_FLOOR,
     G_RISE,
-    GRIP,
-    LIVELY,
     MASS,
     RADIUS,
     SLIDING,
@@ -76,8 +75,8 @@ def meet_pressed(one: Floats, two: Floats, world: Floats) -> float:
     before = _energy(one) + _energy(two)
     place, y = np.empty(PLACE), np.zeros(SIZE)
     place[P_LIGHT1], place[P_LIGHT2] = 1.0 / one[MASS], 1.0 / two[MASS]
-    grip = 0.5 * (one[GRIP] + two[GRIP])
-    place[P_FLOOR], place[P_RISE] = grip * world[G_FLOOR], grip * world[G_RISE]
+    more = grip(one, two)
+    place[P_FLOOR], place[P_RISE] = more * world[G_FLOOR], more * world[G_RISE]
     place[P_DECAY], place[P_SPEED] = world[G_DECAY], speed
     place[P_BED1], place[P_BED2] = one[SLIDING], two[SLIDING]
     y[RUB_X] = _across(one, nx, ny) - _across(two, nx, ny)
@@ -87,7 +86,7 @@ def meet_pressed(one: Floats, two: Floats, world: Floats) -> float:
     y[ONE_X], y[ONE_Y] = _slide(one, nx, ny)
     y[TWO_X], y[TWO_Y] = _slide(two, nx, ny)
     y[NEARING] = speed
-    _follow(y, place, 0.5 * (one[LIVELY] + two[LIVELY]))
+    _follow(y, place, restitution(one, two, world, speed))
     _give(one, nx, ny, -y[PUSH], y[ACROSS], y[UP], y[BED1_X], y[BED1_Y])
     _give(two, -nx, -ny, -y[PUSH], y[ACROSS], -y[UP], -y[BED2_X], -y[BED2_Y])
     _forbid_gain(one, two, before)

@@ -18,11 +18,11 @@ from engine.physics import lip, state
 from engine.physics.clusters import spread_at_once, spread_one_by_one
 from engine.physics.collide import closing_speed
 from engine.physics.pressed import meet_pressed
-from engine.physics.rebound import HUG, lean, restitution_at
+from engine.physics.rebound import HUG, friction_at, lean, restitution_at
 from engine.physics.rebound import meet_nose as meet_usual
 from engine.physics.record import faster_first, into
 from engine.physics.shock import C_A, C_B, C_ORDER, C_SPEED, CONTACT_WIDTH
-from engine.physics.stronge import FREQUENCY_RATIO, stronge
+from engine.physics.stronge import stronge
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,11 +66,12 @@ def meet_nose(asked: Asked) -> None:
     ix, iy = into(row, nose)
     speed = row[state.VX] * ix + row[state.VY] * iy
     along = abs(row[state.VX] * iy - row[state.VY] * ix)
+    mu = friction_at(nose, speed, along)
     if nose[state.N_SIZE] < 0.0 and meets_lightly(speed, along):
         speed = meet_usual(row, numbers, nose, ix, iy)
     else:
         place, e = lean(row, numbers, nose), restitution_at(nose, speed)
-        stronge(row, place, nose[state.N_RUB], ix, iy, e, FREQUENCY_RATIO)
+        stronge(row, place, mu, ix, iy, e, nose[state.N_RATIO])
     asked.note(state.NOSE, asked.who, asked.other, speed)
 
 

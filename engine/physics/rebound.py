@@ -7,7 +7,7 @@ no speed into the nose, stays on the bed and gains no energy.
 
 from __future__ import annotations
 
-from math import sqrt
+from math import atan2, sqrt
 from typing import TYPE_CHECKING
 
 from numba import njit
@@ -19,10 +19,13 @@ from engine.physics.state import (
     HAN,
     KICK,
     MASS,
+    N_BEND,
     N_E,
     N_KNEE,
+    N_LEAST,
     N_MODEL,
     N_RUB,
+    N_RUB_SLOPE,
     N_SIZE,
     N_SLOPE,
     N_UPRIGHT,
@@ -57,21 +60,34 @@ def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> f
         ball[VY] -= (speed + leaving) * iy
         return speed
     restitution = restitution_at(nose, speed)
+    mu = friction_at(nose, speed, ball[VX] * iy - ball[VY] * ix)
     if nose[N_MODEL] == RESTITUTION:
         ball[VX] -= (1.0 + restitution) * speed * ix
         ball[VY] -= (1.0 + restitution) * speed * iy
     elif nose[N_MODEL] == HAN:
-        _han(ball, lean(ball, world, nose), nose[N_RUB], ix, iy, restitution)
+        _han(ball, lean(ball, world, nose), mu, ix, iy, restitution)
     else:
-        mathavan(ball, lean(ball, world, nose), nose[N_RUB], ix, iy, restitution)
+        mathavan(ball, lean(ball, world, nose), mu, ix, iy, restitution)
     return speed
 
 
 @njit(cache=True, error_model="numpy")
 def restitution_at(nose: Floats, speed: float) -> float:
     """Return a nose's restitution at a normal speed (m/s)."""
-    restitution: float = nose[N_E] - nose[N_SLOPE] * max(0.0, speed - nose[N_KNEE])
-    return min(max(restitution, 0.0), 1.0)
+    over = max(0.0, speed - nose[N_KNEE])
+    restitution: float = nose[N_E] - nose[N_SLOPE] * over
+    if nose[N_BEND] != 0.0:
+        restitution -= nose[N_BEND] * over * over
+    return min(max(restitution, nose[N_LEAST]), 1.0)
+
+
+@njit(cache=True, error_model="numpy")
+def friction_at(nose: Floats, speed: float, along: float) -> float:
+    """Return a nose's friction for speeds into and along it, which falls with the incidence."""
+    mu: float = nose[N_RUB]
+    if nose[N_RUB_SLOPE] == 0.0:
+        return mu
+    return max(mu - nose[N_RUB_SLOPE] * atan2(abs(along), speed), 0.0)
 
 
 @njit(cache=True, error_model="numpy")
@@ -145,4 +161,4 @@ def _han(
     ball[WZ] = spin_z / radius
 
 
-__all__ = ["HUG", "bounce", "lean", "meet_nose", "restitution_at"]
+__all__ = ["HUG", "bounce", "friction_at", "lean", "meet_nose", "restitution_at"]

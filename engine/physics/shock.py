@@ -211,7 +211,7 @@ def _push(
         nearing = _nearing(balls, row, nx, ny)
         row[C_SPEED] = max(row[C_SPEED], nearing)
         row[C_UX], row[C_UY] = nx, ny
-        e = restitution(balls[a], balls[b], world)
+        e = restitution(balls[a], balls[b], world, row[C_SPEED])
         part = 1.0 if nearing > 0.0 else e * e
         force[c] = part * STIFFNESS * depth * sqrt(depth)
     rubs = world[G_BALL_BALL] != ELASTIC

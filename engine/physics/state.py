@@ -60,20 +60,24 @@ Floats, since a kernel is compiled anew for every whole number it is called with
     G_OUT_X,
     G_OUT_Y,
     G_BED,
-) = range(14)
-WORLD_WIDTH = 14
+    G_E_SLOPE,
+    G_E_KNEE,
+) = range(16)
+WORLD_WIDTH = 16
 """The world's numbers: cloth, contact, nose height, models, the gap (m) up to which balls take part
-in one blow, the outer bounds, and the bed's restitution. What may differ from ball to ball, nose to
-nose and pocket to pocket stands in their rows."""
+in one blow, the outer bounds, the bed's restitution, and how that of two balls falls with speed.
+What may differ from ball to ball, nose to nose and pocket to pocket stands in their rows."""
 
 N_CURVED, N_X, N_Y, N_DX, N_DY, N_SIZE, N_SPAN, N_LOX, N_LOY, N_HIX, N_HIY = range(11)
 N_E, N_SLOPE, N_KNEE, N_RUB, N_MODEL, N_UPRIGHT, N_PIN = range(11, 18)
-NOSE_WIDTH = 18
+N_BEND, N_LEAST, N_RUB_SLOPE, N_RATIO = range(18, 22)
+NOSE_WIDTH = 22
 """A nose: straight from (X, Y) along (DX, DY) for SIZE, or an arc about (X, Y) of radius SIZE
 (negative where the bed lies inside) whose middle looks along (DX, DY) and whose half sweep is
 SPAN; and its bounding box. Then its rubber: restitution with slope and knee, friction, model;
 whether it is an upright body, which a ball meets at its equator, and not a nose at nose height; and
-the number of the pin it is, or -1."""
+the number of the pin it is, or -1. Last the rest of its rubber: the square's factor and the least
+of restitution, the slope of friction, and the frequencies' ratio of `stronge`."""
 
 D_X, D_Y, D_SIZE, D_MODEL, D_LIP, D_RIM, D_E, D_RUB = range(8)
 DROP_WIDTH = 8

@@ -57,6 +57,7 @@ class Cloth:
 class Contact:
     """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`.
 
+    Restitution falls with the speed v of approach: `e - slope * max(0, v - knee)`, never below 0.
     Balls whose gaps are no wider than `cluster_gap` (m) take part in one blow.
     """
 
@@ -65,6 +66,8 @@ class Contact:
     friction_rise: float = 0.0
     friction_decay: float = 0.0
     cluster_gap: float = 2e-6
+    restitution_slope: float = 0.0
+    restitution_knee: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,12 +51,22 @@ Shape = Straight | Curve
 
 @dataclass(frozen=True, slots=True)
 class Rubber:
-    """Ball on cushion: restitution `base - slope * max(0, v_n - knee)` and friction."""
+    """Ball on cushion: restitution by the speed into it, friction by the angle of incidence.
+
+    With u = max(0, v_n - knee), e = base - slope u - bend u^2, no less than `restitution_least`;
+    friction is `friction - friction_slope * angle`, the angle (rad) counted from the normal.
+    `frequency_ratio` belongs to `stronge` alone: of its springs across and along, so that their
+    stiffnesses have the ratio of its square to 3.5.
+    """
 
     restitution: float
     restitution_slope: float
     restitution_knee: float
     friction: float
+    restitution_bend: float = 0.0
+    restitution_least: float = 0.0
+    friction_slope: float = 0.0
+    frequency_ratio: float = 1.7
 
 
 @dataclass(frozen=True, slots=True)
