@@ -348,13 +348,17 @@ def _widen(rows: list[list[float]]) -> NDArray[np.float64]:
 
 
 def pack_pins(world: World) -> tuple[NDArray[np.float64], tuple[Owner, ...]]:
-    """Return the pins as upright round noses, as wide as the largest ball finds them."""
+    """Return the pins as upright round noses, as wide as the largest ball finds them.
+
+    They come in the order of their places, so that the order of their names decides nothing.
+    """
     radius = max((ball.radius for ball in world.balls), default=0.0)
     rows = []
-    for pin in world.table.pins:
+    pins = sorted(world.table.pins, key=lambda pin: pin.at)
+    for pin in pins:
         size = max(meeting(pin.profile, radius)[0] - radius, 0.0)
         rows.append(_pack_curve(Curve(pin.at, size, 0.0, -2.0 * pi)))
-    return _widen(rows), tuple(Owner(None, None, pin.id) for pin in world.table.pins)
+    return _widen(rows), tuple(Owner(None, None, pin.id) for pin in pins)
 
 
 def _covered(point: Point, centre: Point, radius: float) -> bool:
