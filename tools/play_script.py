@@ -16,6 +16,7 @@ from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING
 
+from engine.app.pages import MENU
 from engine.app.session import Mode
 from tools.aimer import FINE, Plan, find_plan
 
@@ -195,7 +196,7 @@ class Player:
 
     def _leave(self) -> Iterator[None]:
         yield from press("escape")
-        yield from press("down", times=4)
+        yield from press("down", times=[name for name, _ in MENU].index("quit"))
         yield from press("return")
         yield from pause(5)
 

@@ -56,6 +56,7 @@ class Loop:
     page: Page | None = None
     scroll: int = 0
     running: bool = True
+    wants_another: bool = False
     frames: int = 0
     hands: Input = field(default_factory=Input)
     controls: Controls = field(default_factory=Controls)
@@ -174,6 +175,8 @@ class Loop:
                 self._note(self.keeper.save_shot(self.session.match))
             case "resume":
                 self.page = None
+            case "games":
+                self.running, self.wants_another = False, True
             case "quit":
                 self.running = False
 

@@ -44,6 +44,7 @@ MENU = (
     ("help", "Keys"),
     ("why", "The referee's explanation"),
     ("save", "Save the last shot as a record"),
+    ("games", "Another game (the match is kept)"),
     ("quit", "Quit (the match is kept)"),
 )
 

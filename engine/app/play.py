@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,14 +17,27 @@ from engine.app.settings import Settings, SettingsError, data_folder, read_setti
 from engine.app.trouble import ScriptTrouble
 from engine.game.match import SettingError, start_match
 from engine.variant.library import VariantError
-from engine.variant.load import load_variant
+from engine.variant.load import list_variants, load_variant
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from engine.app.evening import Reception
+    from engine.app.lobby import Chosen
     from engine.app.loop import Loop
+    from engine.app.startup import Startup
+    from engine.app.window import Window
     from engine.game.match import Match
     from engine.variant.variant import Value, Variant
+
+
+@dataclass(frozen=True, slots=True)
+class Sitting:
+    """A match to be played, its journal, and whether that goes on or begins."""
+
+    match: Match
+    journal: Path
+    goes_on: bool = False
 
 
 class PlayError(ValueError):
@@ -31,7 +45,7 @@ class PlayError(ValueError):
 
 
 def play(
-    variant: str | Path,
+    variant: str | Path | None = None,
     players: int | None = None,
     settings: Mapping[str, str] | None = None,
     renderer: str | None = None,
@@ -42,17 +56,20 @@ def play(
     journal: str | Path | None = None,
     each: Callable[[Loop], None] | None = None,
 ) -> int:
-    """Play a game in a window until the player quits; return the exit status.
+    """Play games in a window until the player quits; return the exit status.
 
-    `settings` are the variant's, as text. `resume` is the path of a journal, or True for
+    Without a `variant` the start screen lists all games. `settings` are the variant's, as text.
+    `resume` is the path of a journal, or True for
     `journal`, or without one the newest of this variant. `each` is called with the loop before
     every frame.
     Status 2: what was asked for cannot be, told on stderr.
     """
     try:
         wishes = _with(read_settings(), renderer, size, rate)
-        match, path, goes_on = _match(variant, players, settings or {}, seed, resume, journal)
-        run(match, wishes, path, goes_on=goes_on, each=each)
+        first = None
+        if variant is not None:
+            first = _match(variant, players, settings or {}, seed, resume, journal)
+        run(first, wishes, each=each)
     except (PlayError, SettingsError, SettingError, VariantError, *ScriptTrouble) as trouble:
         print(trouble, file=sys.stderr)  # noqa: T201  the way out is said here
         return 2
@@ -83,21 +100,38 @@ def _match(
     seed: int | None,
     resume: str | Path | bool,  # noqa: FBT001  a flag or a path
     journal: str | Path | None,
-) -> tuple[Match, Path, bool]:
-    """Return the match, the path of its journal, and whether the journal goes on."""
+) -> Sitting:
+    """Return the match, and where and how it is kept."""
     variant = load_variant(name)
     if resume:
         path = _journal_to_resume(variant.name, resume, journal)
         match = _resumed(path)
         if match.variant.name != variant.name:
             raise PlayError(f"{path} holds a match of {match.variant.name}, not of {variant.name}")
-        return match, path, True
-    now = datetime.now(tz=UTC)
+        return Sitting(match, path, goes_on=True)
     chosen = {key: read_value(variant, key, text) for key, text in settings.items()}
+    return _fresh(variant, players, chosen, seed, journal)
+
+
+def _fresh(
+    variant: Variant,
+    players: int | None,
+    settings: Mapping[str, Value],
+    seed: int | None = None,
+    journal: str | Path | None = None,
+) -> Sitting:
+    now = datetime.now(tz=UTC)
     lot = int(now.timestamp()) % 1_000_000 if seed is None else seed
     stem = f"{variant.name}-{now.strftime('%Y%m%d-%H%M%S')}.toml"
     path = Path(journal) if journal else data_folder() / "journals" / stem
-    return start_match(variant, players, chosen, lot), path, False
+    return Sitting(start_match(variant, players, settings, lot), path)
+
+
+def _chosen(chosen: Chosen) -> Sitting:
+    """Return the match that was chosen on the start screen."""
+    if chosen.kept is not None:
+        return Sitting(_resumed(chosen.kept), chosen.kept, goes_on=True)
+    return _fresh(load_variant(chosen.name), chosen.players, chosen.settings)
 
 
 def _journal_to_resume(
@@ -124,10 +158,14 @@ def _resumed(path: Path) -> Match:
 
 def newest_journal(name: str) -> Path:
     """Return the newest journal of a variant; raises PlayError where there is none."""
-    found = sorted((data_folder() / "journals").glob(f"{name}-*.toml"))
-    if not found:
+    found = _kept(name)
+    if found is None:
         raise PlayError(f"there is no match of {name} to go on with; leave --resume out")
-    return found[-1]
+    return found
+
+
+def _kept(name: str) -> Path | None:
+    return max((data_folder() / "journals").glob(f"{name}-[0-9]*.toml"), default=None)
 
 
 def read_value(variant: Variant, key: str, text: str) -> Value:
@@ -154,35 +192,73 @@ def read_value(variant: Variant, key: str, text: str) -> Value:
 
 
 def run(
-    match: Match,
+    first: Sitting | None,
     settings: Settings,
-    journal: Path,
     *,
-    goes_on: bool = False,
     each: Callable[[Loop], None] | None = None,
+    greet: Callable[[Reception], None] | None = None,
 ) -> None:
-    """Open a window and play a match in it; raises PlayError where none can be opened."""
+    """Open a window and play in it: the `first` match, else what is chosen on the start screen.
+
+    `each` is called with the loop, `greet` with the start screen, before every frame. Raises
+    PlayError where no window can be opened.
+    """
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "hide")
     from engine.app.pen import Pen  # noqa: PLC0415  pygame is loaded for a window only
     from engine.app.starting import draw_start  # noqa: PLC0415
     from engine.app.window import NoWindowError, close_window, open_window  # noqa: PLC0415
 
+    title = first.match.variant.title if first else "Headstring"
     try:
-        window = open_window((settings.width, settings.height), match.variant.title)
+        window = open_window((settings.width, settings.height), title)
     except NoWindowError as trouble:
         raise PlayError(f"no window can be opened: {trouble}") from trouble
-    draw_start(Pen(window.surface), match.variant.title, "starting ...", 0.0, is_first=False)
+    draw_start(Pen(window.surface), title, "starting ...", 0.0, is_first=False)
     window.show()
+    from engine.app.startup import Startup  # noqa: PLC0415  after the window
+
+    startup = Startup(settings.renderer)
+    startup.begin()
     try:
-        loop = make_loop(window, match, settings, journal, goes_on=goes_on)
-        loop.run(each)
+        sitting = first or _receive(window, settings, startup, "", greet)
+        while sitting is not None:
+            window.entitle(sitting.match.variant.title)
+            loop = make_loop(window, sitting, settings, startup)
+            loop.run(each)
+            name = sitting.match.variant.name
+            more = loop.wants_another
+            sitting = _receive(window, settings, startup, name, greet) if more else None
     finally:
         close_window()
 
 
-def make_loop(
-    window: object, match: Match, settings: Settings, journal: Path, *, goes_on: bool = False
-) -> Loop:
+def _receive(
+    window: Window,
+    settings: Settings,
+    startup: Startup,
+    last: str,
+    greet: Callable[[Reception], None] | None,
+) -> Sitting | None:
+    """Return the match chosen on the start screen, which begins at the game played last.
+
+    None where the player leaves.
+    """
+    from engine.app.evening import Reception  # noqa: PLC0415  pygame
+    from engine.app.lobby import Entry, open_lobby  # noqa: PLC0415
+
+    games = [Entry(one.name, one.title, _kept(one.name)) for one in list_variants()]
+    lobby = open_lobby(games, last)
+    while True:
+        lobby = Reception(window, lobby, startup, settings.rate, settings.text).run(greet)
+        if lobby.chosen is None:
+            return None
+        try:
+            return _chosen(lobby.chosen)
+        except (PlayError, SettingError, VariantError, *ScriptTrouble) as trouble:
+            lobby = replace(lobby, chosen=None, card=None, trouble=str(trouble))
+
+
+def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Startup) -> Loop:
     """Return the loop of a match in a window that is open, its preparation begun."""
     from engine.app.controls import Controls  # noqa: PLC0415  the window comes before the rest
     from engine.app.keeping import Keeper  # noqa: PLC0415
@@ -190,19 +266,18 @@ def make_loop(
     from engine.app.loop import Loop  # noqa: PLC0415
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
-    from engine.app.startup import Startup  # noqa: PLC0415
     from engine.app.steps import begin  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
 
-    keeper = Keeper(journal, data_folder() / "shots")
+    match = sitting.match
+    keeper = Keeper(sitting.journal, data_folder() / "shots")
     try:
-        (keeper.carry_on if goes_on else keeper.start)(match)
+        (keeper.carry_on if sitting.goes_on else keeper.start)(match)
     except OSError as trouble:
-        raise PlayError(f"{journal}: the journal cannot be written: {trouble}") from trouble
-    startup = Startup(settings.renderer)
-    startup.begin()
+        message = f"{sitting.journal}: the journal cannot be written: {trouble}"
+        raise PlayError(message) from trouble
     return Loop(
-        window=window,  # type: ignore[arg-type]
+        window=window,
         session=begin(match, aid=Aid(settings.aid)),
         showing=Showing(build_stage(match.variant)),
         startup=startup,

@@ -59,6 +59,10 @@ class Window:
         rows: NDArray[np.uint32] = pygame.surfarray.pixels2d(self.surface).T
         return rows[top : top + height, left : left + width]
 
+    def entitle(self, title: str) -> None:
+        """Write a title on the window's frame."""
+        pygame.display.set_caption(title)
+
     def show(self) -> None:
         """Bring what was drawn to the screen."""
         pygame.display.flip()

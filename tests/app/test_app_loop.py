@@ -8,10 +8,11 @@ import pygame
 import pytest
 
 from engine.app.inputs import CloseAsked, KeyPressed, KeyReleased
-from engine.app.pages import Page
-from engine.app.play import make_loop, newest_journal, play
+from engine.app.pages import MENU, Page
+from engine.app.play import Sitting, make_loop, newest_journal, play
 from engine.app.session import Mode
 from engine.app.settings import Settings
+from engine.app.startup import Startup
 from engine.app.window import close_window, open_window
 from engine.records.journal import resume
 from engine.variant.load import load_variant
@@ -24,7 +25,10 @@ pytestmark = pytest.mark.xdist_group("window")
 def loop(own_folders, start):
     window = open_window((900, 600), "test")
     match = start("three_cushion").match
-    made = make_loop(window, match, Settings.model_validate({}), own_folders / "journal.toml")
+    startup = Startup("scanline")
+    startup.begin()
+    sitting = Sitting(match, own_folders / "journal.toml")
+    made = make_loop(window, sitting, Settings.model_validate({}), startup)
     made.startup.join()
     assert made.startup.trouble is None
     yield made
@@ -94,8 +98,9 @@ def test_pages_open_scroll_and_close(loop):
     assert loop.page is None
     press(loop, "escape")
     assert loop.page is Page.MENU
-    press(loop, *["down"] * 4, "return")
+    press(loop, *["down"] * [name for name, _ in MENU].index("quit"), "return")
     assert not loop.running
+    assert not loop.wants_another
 
 
 def test_a_page_keeps_the_keys_from_the_game(loop):

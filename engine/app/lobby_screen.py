@@ -1,0 +1,136 @@
+"""The start screen, drawn: the list of games, and a card for the one picked.
+
+One idea: a card is the game's own table from above with what can be set under it; everything on
+it comes from the variant. Invariant: nothing is drawn by a renderer, so it is there at once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import pygame
+
+from engine.app.lobby_table import draw_table
+from engine.app.pen import BAD, FAINT, GOLD, TEXT, TONES
+from engine.app.starting import BACKGROUND
+from engine.app.words import capital, spoken
+
+if TYPE_CHECKING:
+    from engine.app.lobby import Entry, Lobby
+    from engine.app.pen import Pen
+    from engine.app.screen import Box
+    from engine.variant.variant import Value
+
+ROW = 26
+"""Height of a row, in text pixels."""
+
+
+@dataclass(slots=True)
+class LobbyScreen:
+    """Draws the start screen; `hot` is what can be clicked, by name."""
+
+    pen: Pen
+    hot: dict[str, Box] = field(default_factory=dict)
+
+    def draw(self, lobby: Lobby, saying: str) -> None:
+        """Draw it; `saying` tells what is being prepared behind it."""
+        pen, (width, height) = self.pen, self.pen.surface.get_size()
+        self.hot.clear()
+        pen.surface.fill(BACKGROUND)
+        edge, top = pen.px(26), pen.px(74)
+        pen.write("Headstring", (edge, pen.px(20)), TEXT, 30)
+        told = f"find: {lobby.typed}_" if lobby.typed else "type to find a game"
+        pen.write(told, (edge, pen.px(54)), GOLD if lobby.typed else FAINT, 14)
+        wide = min(pen.px(330), round(0.36 * width))
+        bottom = height - pen.px(40)
+        self._list(lobby, (edge, top, wide, bottom - top))
+        left = edge + wide + edge
+        self._card(lobby, (left, pen.px(24), width - left - edge, bottom - pen.px(24)))
+        keys = "Up / Down  pick     Tab, Left / Right  set     Enter  play     Esc  leave"
+        pen.write(keys, (edge, height - pen.px(28)), FAINT, 14, room=width - left)
+        pen.write(saying, (width - edge, height - pen.px(28)), FAINT, 13, "right", left)
+
+    def _list(self, lobby: Lobby, box: Box) -> None:
+        pen, (left, top, wide, high) = self.pen, box
+        step = pen.px(ROW)
+        room = max(1, high // step)
+        shown = lobby.shown
+        first = min(max(lobby.picked - room // 2, 0), max(len(shown) - room, 0))
+        for place, one in enumerate(shown[first : first + room], start=first):
+            row = (left, top + (place - first) * step, wide, step - 2)
+            self._game(one, row, picked=place == lobby.picked)
+            self.hot[f"pick:{place}"] = row
+        if not shown:
+            pen.write("no game is called so", (left, top), BAD, 16)
+
+    def _game(self, one: Entry, box: Box, *, picked: bool) -> None:
+        pen = self.pen
+        if picked:
+            pygame.draw.rect(pen.surface, (60, 54, 32), box, border_radius=4)
+            pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=4)
+        place = box[0] + pen.px(10), box[1] + pen.px(3)
+        mark = "   (kept)" if one.kept else ""
+        title = f"{one.title or one.name}{mark}"
+        pen.write(title, place, TEXT if picked else TONES["plain"], 16, room=box[2] - pen.px(20))
+
+    def _card(self, lobby: Lobby, box: Box) -> None:
+        pen, (left, top, wide, high) = self.pen, box
+        card = lobby.card
+        if card is None:
+            for number, text in enumerate(
+                pen.wrap(lobby.trouble, wide, 15) if lobby.trouble else []
+            ):
+                pen.write(text, (left, top + number * pen.line(15)), BAD, 15)
+            return
+        rows = lobby.rows[1:]
+        below = pen.px(ROW) * (len(rows) + 1) + pen.px(60)
+        room = (left, top, wide, max(high - below, pen.px(120)))
+        y = top + draw_table(pen.surface, card, room) + pen.px(12)
+        book = f"by the {card.rulebook}" if card.rulebook else ""
+        pen.write(card.title, (left, y), TEXT, 21)
+        pen.write(book, (left + wide, y + pen.px(5)), FAINT, 14, "right", room=wide // 2)
+        y += pen.px(34)
+        for number, row in enumerate(rows, start=1):
+            line = (left, y, wide, pen.px(ROW) - 2)
+            self._row(lobby, row, line, marked=number == lobby.row)
+            y += pen.px(ROW)
+        play = (left, y + pen.px(4), pen.px(180), pen.px(ROW + 4))
+        pygame.draw.rect(pen.surface, GOLD, play, border_radius=4)
+        middle = play[0] + play[2] // 2, play[1] + pen.px(5)
+        pen.write("Play  (Enter)", middle, BACKGROUND, 17, "middle")
+        self.hot["play"] = play
+
+    def _row(self, lobby: Lobby, row: str, box: Box, *, marked: bool) -> None:
+        pen, (left, top, wide, high) = self.pen, box
+        if marked:
+            pygame.draw.rect(pen.surface, (40, 44, 54), box, border_radius=4)
+            pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=4)
+        told, about = self._told(lobby, row)
+        text = top + pen.px(3)
+        pen.write(told, (left + pen.px(10), text), TEXT if marked else TONES["plain"], 15)
+        middle, arrow = left + round(0.46 * wide), pen.px(60)
+        for sign, x in ((-1, middle - arrow), (1, middle + arrow)):
+            spot = (x - pen.px(10), top, pen.px(20), high)
+            pen.write("<" if sign < 0 else ">", (x, text), GOLD, 15, "middle")
+            self.hot[f"set:{row}:{sign}"] = spot
+        said = _value_words(row, lobby.value(row))
+        pen.write(said, (middle, text), GOLD, 15, "middle", room=2 * arrow - pen.px(24))
+        start = middle + arrow + pen.px(24)
+        pen.write(about, (start, text), FAINT, 13, room=max(left + wide - start, 1))
+
+    @staticmethod
+    def _told(lobby: Lobby, row: str) -> tuple[str, str]:
+        """Return a row's name and what it is about."""
+        if row == "players" or lobby.card is None:
+            return "Players", ""
+        if row == "match":
+            return "Match", "one was not played to its end"
+        return capital(spoken(row)), lobby.card.settings[row].about
+
+
+def _value_words(row: str, value: Value) -> str:
+    if isinstance(value, bool):
+        yes, no = ("go on", "new") if row == "match" else ("yes", "no")
+        return yes if value else no
+    return spoken(str(value))
