@@ -126,7 +126,7 @@ def test_the_start_of_a_game(name):
     assert ahead.on
     assert not match.situation.over
     place = usual_place(match.variant, match.situation)
-    assert place is not None
+    assert (place is None) == (match.situation.in_hand is None)
     assert refuse_place(match.variant, match.situation, place) is None
     assert refuse_place(match.variant, match.situation, (9.0, 0.0)) is not None
 
