@@ -134,15 +134,26 @@ def _tell(diagnostics: Sequence[Diagnostic], *, as_json: bool) -> None:
 
 
 @main.command()
-@click.argument("paths", nargs=-1, required=True, type=FILE)
+@click.argument("paths", nargs=-1, type=FILE)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON list, an object a record.")
 @click.option("--update", is_flag=True, help="Rewrite expectations to what the referee says.")
-def golden(paths: Sequence[Path], *, as_json: bool, update: bool) -> None:
+@click.option("--coverage", is_flag=True, help="Say which rules and sections the records prove.")
+@click.option("--mutate", is_flag=True, help="Make the rules wrong and see if a record notices.")
+@click.option("--jobs", type=click.IntRange(0), default=0, help="Processes for --mutate.")
+@click.option(
+    "--records", type=FILE, default="tests/golden", help="Where records lie by game: tests/golden."
+)
+def golden(paths: Sequence[Path], *, as_json: bool, update: bool, **options: object) -> None:
     """Judge recorded shots again and show what differs.
 
-    PATHS are record files, or folders that hold them. Exit status 0: all pass, 1: some differ,
-    2: a file cannot be used.
+    PATHS are record files, or folders that hold them. With --coverage and --mutate they may be
+    names of games, and none means all. Exit status 0: all pass (and nothing is missing),
+    1: some differ, 2: a file cannot be used.
     """
+    if options["coverage"] or options["mutate"]:
+        sys.exit(_prove(paths, as_json=as_json, **options))
+    if not paths:
+        raise click.UsageError("which records? Give files or folders.")
     from engine.records.golden import run_paths, status_of  # noqa: PLC0415
     from engine.records.show import show_result, summary  # noqa: PLC0415
 
@@ -158,6 +169,16 @@ def golden(paths: Sequence[Path], *, as_json: bool, update: bool) -> None:
     else:
         click.echo(summary(results))
     sys.exit(0 if update and status_of(results) == 1 else status_of(results))
+
+
+def _prove(paths: Sequence[Path], *, as_json: bool, **options: object) -> int:
+    from engine.proving.commands import coverage, mutation  # noqa: PLC0415
+
+    folder: Path = options["records"]  # type: ignore[assignment]
+    jobs: int = options["jobs"]  # type: ignore[assignment]
+    if options["coverage"]:
+        return coverage(paths, folder, _grammar_folder(), as_json=as_json)
+    return mutation(paths, folder, _grammar_folder(), jobs, as_json=as_json)
 
 
 def _update(path: Path, outcome: object) -> None:

@@ -43,21 +43,37 @@ def read_record_text(text: str, path: Path, load: Load) -> Record:
 
     In a journal, shots that were taken back or are incomplete do not count.
     """
-    source = parse_source(standing(text), path, path.parent)
-    if not isinstance(source, Node):
-        raise RecordError(tuple(source))
-    report = Report(source, shape=RecordSpec)
-    try:
-        spec = RecordSpec.model_validate(source.plain())
-    except ValidationError as error:
-        report.add_shape_errors(error, ())
-        raise RecordError(tuple(report.diagnostics)) from None
+    spec, report = _shaped(text, path)
     variant = _variant(spec, load, report)
     if variant is not None:
         record = build_record(path, spec, variant, report, seed_of(text))
         if record is not None:
             return record
     raise RecordError(tuple(report.diagnostics))
+
+
+def shape_of(path: Path) -> tuple[RecordSpec, Node, int]:
+    """Return a record file as written, names unchecked: its keys, its tree, its seed.
+
+    Raises RecordError for a file that has not the shape of a record.
+    """
+    text = read_text(path)
+    if not isinstance(text, str):
+        raise RecordError(tuple(text))
+    spec, report = _shaped(text, path)
+    return spec, report.root, seed_of(text)
+
+
+def _shaped(text: str, path: Path) -> tuple[RecordSpec, Report]:
+    source = parse_source(standing(text), path, path.parent)
+    if not isinstance(source, Node):
+        raise RecordError(tuple(source))
+    report = Report(source, shape=RecordSpec)
+    try:
+        return RecordSpec.model_validate(source.plain()), report
+    except ValidationError as error:
+        report.add_shape_errors(error, ())
+        raise RecordError(tuple(report.diagnostics)) from None
 
 
 def _variant(spec: RecordSpec, load: Load, report: Report) -> Variant | None:
