@@ -1,9 +1,10 @@
 """The monitor: whether a shot's trace keeps the rules that hold for every shot.
 
-One idea: the trace is read as it stands, at every event and between them, without asking the
-solver: no ball in another or in a nose, no energy gained (height counts), momentum along the bed
-kept where balls meet, all numbers finite, nobody gone without a pocket or a flight. Invariant:
-reading changes nothing, and a finding is a figure, so that the worst of many shots can be told.
+One idea: the trace is read as it stands, just before and just after every event and between them,
+without asking the solver: no ball in another, in a nose or in a standing pin, no way torn, no
+energy gained (height counts), momentum along the bed kept where balls meet, all numbers finite,
+nobody gone without a pocket or a flight. Invariant: reading changes nothing, and a finding is a
+figure, so that the worst of many shots can be told.
 """
 
 from __future__ import annotations
@@ -15,29 +16,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.pack import nose_reach, pack_noses
+from engine.physics.pack import nose_reach, pack_noses, packed
+from engine.physics.reading import read
+from engine.table.furniture import Table
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from numpy.typing import NDArray
 
+    from engine.physics.reading import Reading, States
     from engine.physics.trace import Trace
-    from engine.table.furniture import Table
+    from engine.physics.world import World
 
     Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
+    Bools = NDArray[np.bool_]
 
 OVERLAP = 1e-9
-"""How far (m) two balls, or a ball and a nose, may lie in each other."""
+"""How far (m) two balls, or a ball and a nose, may lie in each other, or a way be torn."""
 
 GAIN = 1e-12
 """How much energy (J) rounding may add from one moment to the next."""
 
 MOMENTUM = 1e-12
 """By how much (kg m/s) rounding may change the momentum of balls that meet."""
-
-FINEST = 2000
-"""Into no more parts than this is the time between two events cut."""
 
 MOMENTS = 512
 """So many moments are looked at together, which bounds the memory."""
@@ -48,9 +49,9 @@ class Findings:
     """What the monitor found in one shot, in SI units; all zero and finite is the best.
 
     `overlap` counts from how deep a pair lay at the start; `gap` is the smallest distance of two
-    balls' surfaces, below zero in an overlap; `sunk` is how deep a ball lay in a nose; `gain` is
-    of energy; `momentum` the worst error of a meeting; `lost` how many balls left the table
-    without flying.
+    balls' surfaces, below zero in an overlap; `sunk` is how deep a ball lay in a nose; `torn` how
+    far a piece begins from where the one before ended; `gain` is of energy; `momentum` the worst
+    error of a meeting; `lost` how many balls left the table without flying.
     """
 
     finite: bool
@@ -60,6 +61,7 @@ class Findings:
     gain: float
     momentum: float
     lost: int
+    torn: float = 0.0
 
     def faults(self) -> tuple[str, ...]:
         """Return which rules are broken, in words; none for a sound shot."""
@@ -67,6 +69,7 @@ class Findings:
             "a number is not finite": not self.finite,
             f"balls overlap by {self.overlap:.3g} m": self.overlap > OVERLAP,
             f"a ball lies {self.sunk:.3g} m in a nose": self.sunk > OVERLAP,
+            f"a ball's way is torn by {self.torn:.3g} m": self.torn > OVERLAP,
             f"energy grows by {self.gain:.3g} J": self.gain > GAIN,
             f"momentum is off by {self.momentum:.3g} kg m/s": self.momentum > MOMENTUM,
             f"{self.lost} balls left the table": self.lost > 0,
@@ -74,170 +77,205 @@ class Findings:
         return tuple(words for words, holds in broken.items() if holds)
 
 
-def examine(trace: Trace, table: Table | None = None) -> Findings:
-    """Return what is found at every event of a trace and between; noses with a table."""
-    times = _moments(trace)
-    gap, overlap = _gaps(trace, times)
-    energy = trace.kinetic_energy(times) + _potential(trace, times)
-    gain = float(np.diff(energy).max(initial=0.0))
+def examine(trace: Trace, furniture: World | Table | None = None) -> Findings:
+    """Return what is found at every event of a trace and between.
+
+    Noses are looked at where the table is given, posts and pins where the world is.
+    """
+    reading = read(trace)
+    before = reading.states(reading.before, reading.knots)
+    after = reading.states(reading.after, reading.knots)
+    gap, overlap, sunk = _apart(reading, _noses(furniture), furniture)
     left = trace.log[trace.log[:, state.E_KIND] == state.LEFT, state.E_FIRST]
     flown = trace.pieces[trace.pieces[:, state.P_KIND] == state.FLY, state.P_BALL]
-    lost = int((~np.isin(left, flown)).sum())
+    gain = _gain(reading, before, after)
     finite = bool(np.isfinite(trace.pieces).all() and np.isfinite(trace.log).all())
     return Findings(
-        finite=finite and bool(np.isfinite(energy).all()),
+        finite=finite and bool(np.isfinite(gain)),
         gap=gap,
         overlap=overlap,
-        sunk=0.0 if table is None else _sunk(trace, table, times),
-        gain=gain,
-        momentum=_momentum(trace),
-        lost=lost,
+        sunk=sunk,
+        gain=max(gain, 0.0),
+        momentum=_momentum(reading, before, after),
+        lost=int((~np.isin(left, flown)).sum()),
+        torn=_torn(reading, before, after),
     )
 
 
-def _moments(trace: Trace) -> Floats:
-    """Return all times at which a piece begins or ends, and times between (T,).
-
-    They lie so close that no ball goes farther than its radius from one to the next.
-    """
-    knots = np.unique(trace.pieces[:, [state.P_T0, state.P_T1]])
-    if len(knots) < 2 or not np.isfinite(trace.pieces).all():
-        return knots
-    speeds = np.sqrt((trace.velocities(knots) ** 2).sum(-1)).max(-1)
-    fastest = np.maximum(speeds[1:], speeds[:-1])
-    radius = min(ball.radius for ball in trace.balls)
-    parts = np.clip(np.ceil(np.diff(knots) * fastest / radius), 2, FINEST).astype(np.int64)
-    start, length = np.repeat(knots[:-1], parts), np.repeat(np.diff(knots) / parts, parts)
-    place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-    return np.unique(np.concatenate([start + place * length, knots]))
+def _gain(reading: Reading, before: States, after: States) -> float:
+    """Return the most energy (J) won at a moment, or from one to the next."""
+    old, new = (_energy(reading, states) for states in (before, after))
+    won = np.concatenate([new - old, old[1:] - new[:-1]])
+    return float(won.max(initial=0.0))
 
 
-def _potential(trace: Trace, times: Floats) -> Floats:
-    """Return the energy (T,) of height above the bed, J."""
-    total = np.zeros(len(times))
-    if not trace.flies:
-        return total
-    mass = np.array([ball.mass for ball in trace.balls])
-    radius = np.array([ball.radius for ball in trace.balls])
-    for first in range(0, len(times), MOMENTS):
-        above = trace.positions(times[first : first + MOMENTS])[..., 2] - radius
-        total[first : first + MOMENTS] = (trace.gravity * mass * np.maximum(above, 0.0)).sum(-1)
+def _energy(reading: Reading, states: States) -> Floats:
+    """Return the energy (k,) of motion, rotation and height at each knot, J."""
+    masses, radii, trace = reading.masses, reading.radii, reading.trace
+    each = 0.5 * (states.velocity**2).sum(-1) + 0.2 * radii**2 * (states.spin**2).sum(-1)
+    if trace.flies:
+        here = reading.knots[:, None] <= reading.gone
+        above = np.maximum(states.places[..., 2] - radii, 0.0)
+        each = each + np.where(here, trace.gravity * above, 0.0)
+    total: Floats = (masses * each).sum(-1)
     return total
 
 
-def _runs(trace: Trace, times: Floats) -> Iterator[tuple[Floats, NDArray[np.bool_]]]:
-    """Yield centres (t, n, 3) and who is on or above the bed (t, n), for runs of moments."""
-    for first in range(0, len(times), MOMENTS):
-        places = trace.positions(times[first : first + MOMENTS])
-        yield places, places[..., 2] > 0.0
+def _torn(reading: Reading, before: States, after: States) -> float:
+    """Return the farthest (m) that a ball on or above the bed is moved within a moment."""
+    moved = np.abs(after.places - before.places)[..., :2].max(-1)
+    here = reading.knots[:, None] <= reading.gone
+    return float(moved[here].max(initial=0.0))
 
 
-def _gaps(trace: Trace, times: Floats) -> tuple[float, float]:
-    """Return the smallest gap of two balls and the greatest overlap beyond that at the start."""
-    radii = np.array([ball.radius for ball in trace.balls])
-    need = radii[:, None] + radii if trace.flies else 2.0 * np.sqrt(radii[:, None] * radii)
-    space = 3 if trace.flies else 2
-    first, second = np.triu_indices(len(radii), 1)
-    worst, overlap, start = inf, 0.0, None
-    for places, here in _runs(trace, times):
-        apart = (places[:, first] - places[:, second])[..., :space]
-        gap = np.sqrt((apart**2).sum(-1)) - need[first, second]
-        if start is None:
-            start = np.minimum(gap[0], 0.0)
-        gap = np.where(here[:, first] & here[:, second], gap, inf)
-        worst = min(worst, float(gap.min(initial=inf)))
-        overlap = max(overlap, float((start - gap).max(initial=0.0)))
-    return worst, overlap
-
-
-def _sunk(trace: Trace, table: Table, times: Floats) -> float:
-    """Return how deep (m) a ball's centre comes within its reach of a nose."""
-    noses, _ = pack_noses(table)
-    radii = np.array([ball.radius for ball in trace.balls])
-    flat = np.array([nose_reach(ball.radius, table.nose_height) for ball in trace.balls])
-    far = 4.0 * max((ball.radius for ball in trace.balls), default=0.0)
-    deepest = 0.0
-    for places, here in _runs(trace, times):
-        reaches = flat
-        if trace.flies:
-            square = radii**2 - (places[..., 2] - table.nose_height) ** 2
-            reaches = np.where(
-                square > 2.0 * OVERLAP * radii, np.sqrt(np.maximum(square, 0.0)), -np.inf
-            )
-        for nose in noses:
-            depth = np.where(here, _depths(nose, places, reaches), 0.0)
-            depth = np.where(depth < far, depth, 0.0)
-            deepest = max(deepest, float(depth.max(initial=0.0)))
-    return deepest
-
-
-def _depths(nose: Floats, places: Floats, reaches: Floats) -> Floats:
-    """Return how deep balls (t, n) lie in one nose, m; at most zero where they do not."""
-    x, y = places[..., 0] - nose[state.N_X], places[..., 1] - nose[state.N_Y]
-    dx, dy, size = nose[state.N_DX], nose[state.N_DY], nose[state.N_SIZE]
-    if nose[state.N_CURVED] == 0.0:
-        along = x * dx + y * dy
-        beside = (along >= 0.0) & (along <= size)
-        return np.where(beside, reaches - (y * dx - x * dy), 0.0)
-    away = np.hypot(x, y)
-    facing = x * dx + y * dy >= away * nose[state.N_SPAN]
-    depth = away - (-size - reaches) if size < 0.0 else size + reaches - away
-    return np.where(facing, depth, 0.0)
-
-
-def _momentum(trace: Trace) -> float:
+def _momentum(reading: Reading, before: States, after: States) -> float:
     """Return the worst change of momentum (kg m/s) where balls met and touched nothing else."""
-    before, after = _velocities(trace)
-    mass = [ball.mass for ball in trace.balls]
-    worst = 0.0
-    for time, members in _meetings(trace):
-        px = py = 0.0
-        for ball in members:
-            old, new = before.get((ball, time)), after.get((ball, time))
-            if old is None or new is None:  # what was before the first moment is not told
-                break
-            px += mass[ball] * (new[0] - old[0])
-            py += mass[ball] * (new[1] - old[1])
-        else:
-            worst = max(worst, abs(px), abs(py))
-    return worst
+    log, knots = reading.trace.log, reading.knots
+    at = np.searchsorted(knots, log[:, state.E_TIME])
+    known = at < len(knots)
+    known[known] = knots[at[known]] == log[known, state.E_TIME]
+    kinds = log[:, state.E_KIND]
+    others = ~np.isin(kinds, (state.TOUCHING, state.ROLLING, state.STOPPED))
+    meets = np.zeros(before.velocity.shape[:2], dtype=np.bool_)
+    bound = np.zeros_like(meets)
+    for column in (state.E_FIRST, state.E_SECOND):
+        rows = known & (kinds == state.TOUCHING)
+        meets[at[rows], log[rows, column].astype(np.int64)] = True
+    rows = known & others & (log[:, state.E_FIRST] >= 0.0)
+    bound[at[rows], log[rows, state.E_FIRST].astype(np.int64)] = True
+    change = reading.masses[:, None] * (after.velocity - before.velocity)[..., :2]
+    total = np.abs((change * meets[..., None]).sum(1)).max(-1)
+    return float(total[~(meets & bound).any(-1)].max(initial=0.0))
 
 
-_Velocity = tuple[float, float]
+def _noses(furniture: World | Table | None) -> Floats:
+    if furniture is None:
+        return np.empty((0, state.NOSE_WIDTH))
+    if isinstance(furniture, Table):
+        return pack_noses(furniture)[0]
+    return packed(furniture).noses
 
 
-def _velocities(
-    trace: Trace,
-) -> tuple[dict[tuple[int, float], _Velocity], dict[tuple[int, float], _Velocity]]:
-    """Return by ball and time the velocities just before and just after each change of piece."""
-    rows, before, after = trace.pieces, {}, {}
-    spent = rows[:, state.P_T1] - rows[:, state.P_T0]
-    ends = rows[:, [state.P_VX, state.P_VY]] + spent[:, None] * rows[:, [state.P_AX, state.P_AY]]
-    columns = (state.P_BALL, state.P_T0, state.P_T1, state.P_VX, state.P_VY)
-    told = zip(rows[:, columns].tolist(), ends.tolist(), spent.tolist(), strict=True)
-    for (ball, t0, t1, vx, vy), (ux, uy), length in told:
-        after[int(ball), t0] = (vx, vy)
-        if length > 0.0 or (int(ball), t1) not in before:
-            before[int(ball), t1] = (ux, uy)
-    return before, after
+def _apart(
+    reading: Reading, noses: Floats, furniture: World | Table | None
+) -> tuple[float, float, float]:
+    """Return the smallest gap of two balls, the greatest overlap since the start, and `sunk`."""
+    times, pieces = reading.between()
+    height = None
+    if furniture is not None:
+        table = furniture if isinstance(furniture, Table) else furniture.table
+        height = table.nose_height
+    pairs = _pairs(reading)
+    least = np.full(len(pairs[0]), inf)
+    start, sunk = None, 0.0
+    for first in range(0, len(times), MOMENTS):
+        run = slice(first, first + MOMENTS)
+        centres = reading.centres(pieces[run], times[run])
+        here = times[run, None] <= reading.gone
+        square = _squares(centres, here, pairs, space=3 if reading.trace.flies else 2)
+        start = square[0] if start is None else start
+        least = np.minimum(least, square.min(0))
+        if height is not None:
+            fresh = _fresh(reading, pieces[run], whole=first == 0)
+            sunk = max(sunk, _sunk(reading, noses, height, centres, here & fresh, times[run]))
+    need = _need(reading)[pairs]
+    gaps = np.sqrt(least) - need
+    begun = np.minimum(np.sqrt(start) - need, 0.0) if start is not None else need
+    return float(gaps.min(initial=inf)), float((begun - gaps).max(initial=0.0)), sunk
 
 
-def _meetings(trace: Trace) -> Iterator[tuple[float, set[int]]]:
-    """Yield time and balls of each moment at which balls meet and none of them anything else."""
-    log, first = trace.log, 0
-    times = log[:, state.E_TIME]
-    while first < len(log):
-        last = first + 1
-        while last < len(log) and times[last] == times[first]:
-            last += 1
-        rows = log[first:last]
-        kinds = rows[:, state.E_KIND]
-        meets = rows[kinds == state.TOUCHING]
-        members = {int(ball) for ball in meets[:, [state.E_FIRST, state.E_SECOND]].ravel()}
-        others = np.isin(kinds, (state.NOSE, state.DROPPED, state.LEFT, state.LANDED))
-        if members and not members & {int(ball) for ball in rows[others, state.E_FIRST]}:
-            yield float(times[first]), members
-        first = last
+def _need(reading: Reading) -> Floats:
+    """Return how far apart (m) the centres of two balls that touch are."""
+    radii = reading.radii
+    if reading.trace.flies:
+        return radii[:, None] + radii
+    return 2.0 * np.sqrt(radii[:, None] * radii)
+
+
+def _pairs(reading: Reading) -> tuple[Ints, Ints]:
+    """Return the pairs of balls of which at least one moves."""
+    rows = reading.columns
+    moved = np.zeros(len(reading.radii), dtype=np.bool_)
+    speeds = rows[[state.P_VX, state.P_VY, state.P_VZ]]
+    moved[rows[state.P_BALL, (speeds != 0.0).any(0)].astype(np.int64)] = True
+    one, two = np.triu_indices(len(moved), 1)
+    worth = moved[one] | moved[two]
+    return one[worth], two[worth]
+
+
+def _squares(centres: Floats, here: Bools, pairs: tuple[Ints, Ints], space: int) -> Floats:
+    """Return the squared distances (t, p) of pairs, infinite where one is gone."""
+    one, two = pairs
+    total = np.zeros((centres.shape[1], len(one)))
+    for axis in centres[:space]:
+        total += (axis[:, one] - axis[:, two]) ** 2
+    if not here.all():
+        total[~(here[:, one] & here[:, two])] = inf
+    return total
+
+
+def _fresh(reading: Reading, pieces: Ints, *, whole: bool) -> Bools:
+    """Return where (t, n) a ball may be elsewhere than a moment ago."""
+    rows = reading.columns
+    speeds = rows[[state.P_VX, state.P_VY, state.P_AX, state.P_AY, state.P_VZ]]
+    fresh = (speeds != 0.0).any(0)[pieces]
+    fresh[1:] |= pieces[1:] != pieces[:-1]
+    fresh[0] |= whole
+    found: Bools = fresh
+    return found
+
+
+def _sunk(
+    reading: Reading, noses: Floats, height: float, centres: Floats, here: Bools, times: Floats
+) -> float:
+    """Return how deep (m) a ball's centre comes within its reach of a nose."""
+    if not len(noses):
+        return 0.0
+    moment, ball = np.nonzero(here)
+    x, y, z = centres[:, moment, ball]
+    far = 4.0 * float(reading.radii.max(initial=0.0))
+    near = (x[:, None] >= noses[:, state.N_LOX] - far) & (x[:, None] <= noses[:, state.N_HIX] + far)
+    near &= (y[:, None] >= noses[:, state.N_LOY] - far) & (
+        y[:, None] <= noses[:, state.N_HIY] + far
+    )
+    point, nose = np.nonzero(near)
+    rows, radius = noses[nose], reading.radii[ball[point]]
+    low = np.array([nose_reach(float(one), height) for one in reading.radii])
+    reach = low[ball[point]]
+    if reading.trace.flies:
+        square = radius**2 - (z[point] - height) ** 2
+        reach = np.where(square > 2.0 * OVERLAP * radius, np.sqrt(np.maximum(square, 0.0)), -inf)
+    reach = np.where(rows[:, state.N_UPRIGHT] != 0.0, radius, reach)
+    depth = _depths(rows, x[point], y[point], reach)
+    depth[(depth > far) | ~_stands(reading, rows[:, state.N_PIN], times[moment[point]])] = 0.0
+    return float(depth.max(initial=0.0))
+
+
+def _stands(reading: Reading, pins: Floats, times: Floats) -> Bools:
+    """Return whether noses stand at given times: pins do until they topple."""
+    log, known = reading.trace.log, reading.trace.pins
+    falls = np.full(len(known.names) + 1, inf)  # the last one for noses that are no pins
+    falls[[pin for pin in range(len(known.names)) if pin not in known.standing]] = -inf
+    for row in log[log[:, state.E_KIND] == state.TOPPLED][::-1]:
+        falls[int(row[state.E_SECOND])] = row[state.E_TIME]
+    stands: Bools = times <= falls[pins.astype(np.int64)]
+    return stands
+
+
+def _depths(noses: Floats, x: Floats, y: Floats, reaches: Floats) -> Floats:
+    """Return how deep points (m,) lie in noses (m, N_*), m; at most zero where they do not."""
+    x, y = x - noses[:, state.N_X], y - noses[:, state.N_Y]
+    dx, dy, size = noses[:, state.N_DX], noses[:, state.N_DY], noses[:, state.N_SIZE]
+    along = x * dx + y * dy
+    beside = (along >= 0.0) & (along <= size)
+    straight = np.where(beside, reaches - (y * dx - x * dy), 0.0)
+    away = np.hypot(x, y)
+    facing = along >= away * noses[:, state.N_SPAN]
+    round_ = np.where(size < 0.0, away + size + reaches, size + reaches - away)
+    depth: Floats = np.where(
+        noses[:, state.N_CURVED] == 0.0, straight, np.where(facing, round_, 0.0)
+    )
+    return depth
 
 
 __all__ = ["GAIN", "MOMENTUM", "OVERLAP", "Findings", "examine"]
