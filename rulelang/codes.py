@@ -30,6 +30,7 @@ CODES = {
     "R305": "An action does not belong to the section it stands in.",
     "R306": "A value is not one that the fact or setting can have.",
     "R307": "A number is out of reason here.",
+    "R308": "A number with a fraction stands where only whole ones count.",
     "R401": "Two rules decide one thing differently under one condition.",
     "R402": "A rule reads what a later section, or its own, decides.",
     "R403": "A rule overrides a rule that does not exist.",

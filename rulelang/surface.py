@@ -75,7 +75,16 @@ def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnosti
         return one(
             "R109", long_number.start() + 1, "this number is too long", "nine digits at most"
         )
+    fraction = re.search(r"(?<![\d.\w-])\d+\.\d+(?! seconds)", re.sub(r"\[[^\]]*\]", _blank, code))
+    if fraction and not code.startswith("language"):
+        told = fraction.group()
+        message = f"{told} is no whole number"
+        return one("R308", fraction.start() + 1, message, f"say {round(float(told))}")
     return []
+
+
+def _blank(found: re.Match[str]) -> str:
+    return "_" * len(found.group())
 
 
 def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:

@@ -50,6 +50,13 @@ def script_codes() -> str:
     return _table(CODES)
 
 
+def codes() -> str:
+    """Return the page of codes of variant files and scripts."""
+    from tools.codes import page  # noqa: PLC0415
+
+    return page()
+
+
 def events() -> str:
     """Return the events of shot records, each with its phrase."""
     from rulelang.phrases import EVENT_PHRASES  # noqa: PLC0415
@@ -138,6 +145,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
     "script-codes": script_codes,
+    "codes": codes,
     "events": events,
     "phrases": phrases,
     "commands": commands,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from click.testing import CliRunner
@@ -12,12 +12,15 @@ from engine.authoring.scaffold import ScaffoldError, scaffold
 from engine.game.match import start_match
 from engine.variant.load import check_variant, list_variants, load_variant
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 GAMES = [one.name for one in list_variants()]
 
 
 @pytest.mark.parametrize("base", GAMES)
 @pytest.mark.parametrize("extends", [False, True])
-def test_a_new_game_is_sound_and_starts(tmp_path: Path, base: str, extends: bool) -> None:
+def test_a_new_game_is_sound_and_starts(tmp_path: Path, base: str, *, extends: bool) -> None:
     toml, rules = scaffold("my_game", base, tmp_path, extends=extends)
     assert rules.exists()
     assert check_variant(toml) == []
