@@ -23,6 +23,7 @@ from tools.scripts import random_script
 ROOT = Path(__file__).parents[2]
 SCRIPTS = sorted((ROOT / "variants").rglob("*.rules"))
 PAGES = sorted((ROOT / "docs").glob("*.md"))
+EXAMPLE = re.compile(r"```rules(?! broken)[^\n]*\n(.*?)```", re.DOTALL)
 EXAMPLES = [
     text
     for page in PAGES
