@@ -58,7 +58,9 @@ def draw_table(surface: pygame.Surface, variant: Variant, box: Box) -> int:
         if mark.drawn:
             pygame.draw.line(surface, line, plan.at(mark.start), plan.at(mark.end))
     for pin in table.pins:
-        pygame.draw.circle(surface, CHALK, plan.at(pin.at), max(2, plan.px(max(r for _, r in pin.profile))))
+        pygame.draw.circle(
+            surface, CHALK, plan.at(pin.at), max(2, plan.px(max(r for _, r in pin.profile)))
+        )
     radii = {ball.id: ball.radius for ball in variant.world.balls}
     kinds = {kind.id: kind for kind in variant.balls}
     for ball, place in lay_rack(variant.rack, 1).items():

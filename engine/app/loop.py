@@ -19,11 +19,15 @@ from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import Pen
 from engine.app.screen import Screen
-from engine.app.session import Mode
+from engine.app.session import SHOWING, Mode
+from engine.app.showing import Showing
 from engine.app.starting import draw_start
-from engine.app.steps import act, pass_time
+from engine.app.steps import act, pass_time, take_up
 from engine.app.view import View, camera_of, stroke_seen
 from engine.app.wishes import Ask
+from engine.stage.stage import build_stage
+from engine.variant.library import VariantError
+from engine.variant.load import load_variant
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,8 +35,8 @@ if TYPE_CHECKING:
     from engine.app.inputs import InputEvent
     from engine.app.keeping import Keeper
     from engine.app.session import Session
-    from engine.app.showing import Showing
     from engine.app.startup import Startup
+    from engine.app.watching import Watch
     from engine.app.window import Window
     from engine.app.wishes import Wish
 
@@ -49,6 +53,7 @@ class Loop:
     showing: Showing
     startup: Startup
     keeper: Keeper
+    watch: Watch
     renderer: str = "scanline"
     rate: int = 60
     text: float = 1.0
@@ -91,6 +96,7 @@ class Loop:
         if not self.startup.playable:
             self._draw_start()
         else:
+            self._look_at_files()
             self._take(events, seconds)
             self._set(pass_time(self.session, seconds))
             self.draw()
@@ -134,6 +140,20 @@ class Loop:
         ):
             if isinstance(wish, Ask):
                 self._do(wish)
+
+    def _look_at_files(self) -> None:
+        """Take up the game's files where they have changed, or say what is wrong with them."""
+        if self.session.mode in SHOWING or not self.watch.changed():
+            return
+        try:
+            variant = load_variant(self.session.variant.path)
+        except VariantError as trouble:
+            self.session = replace(self.session, trouble=str(trouble))
+            return
+        session = take_up(self.session, variant)
+        if not session.trouble:
+            self.showing = Showing(build_stage(variant))
+        self._set(session)
 
     def _do(self, wish: Wish) -> None:
         if isinstance(wish, Ask):

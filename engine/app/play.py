@@ -267,6 +267,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
     from engine.app.steps import begin  # noqa: PLC0415
+    from engine.app.watching import watch_variant  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
 
     match = sitting.match
@@ -282,6 +283,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
         showing=Showing(build_stage(match.variant)),
         startup=startup,
         keeper=keeper,
+        watch=watch_variant(match.variant),
         renderer=settings.renderer,
         rate=settings.rate,
         text=settings.text,

@@ -16,7 +16,7 @@ from engine.app.choices import choosable_balls
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
 from engine.app.stroke import Stroke, heading_to
 from engine.app.trouble import ScriptTrouble, told
-from engine.game.match import advance, start_match, undo
+from engine.game.match import advance, rejudge, start_match, undo
 from engine.game.observe import observe, simulate_shot
 from engine.game.placing import refuse_place
 from engine.game.referee import judge_shot, look_ahead, take_choice
@@ -26,6 +26,7 @@ from engine.table.furniture import BallId
 
 if TYPE_CHECKING:
     from engine.game.match import Match
+    from engine.variant.variant import Variant
     from rulelang.facts import Call
 
 
@@ -375,6 +376,21 @@ def _redo(session: Session) -> Session:
         return replace(session, note="there is no shot to play again")
     match, *rest = session.later
     return replace(begin(match, session.stroke, session.aid), later=tuple(rest))
+
+
+def take_up(session: Session, variant: Variant) -> Session:
+    """Return the session with its shots judged by another text of its game.
+
+    Where that cannot be, the game goes on as it was and the trouble is told.
+    """
+    try:
+        match = rejudge(session.match, variant)
+        again = begin(match, session.stroke, session.aid)
+    except ScriptTrouble as trouble:
+        return replace(session, trouble=told(trouble, variant))
+    except ValueError as trouble:
+        return replace(session, trouble=f"{variant.path.name} does not fit this match: {trouble}")
+    return replace(again, note="the game's files have changed and are taken up")
 
 
 def next_game(session: Session) -> Session:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from engine.game.referee import announce, on_the_bed, take_in_hand
+from engine.game.referee import announce, judge_shot, on_the_bed, take_in_hand
 from engine.game.situation import Rest, Situation, as_rules_see, cue_ball_of, empty
 from engine.game.spotting import Board, carry_out, place_ball
 from engine.table.furniture import BallId, ZoneId
@@ -193,6 +193,28 @@ def advance(match: Match, shot: Shot, verdict: Verdict) -> Match:
     """Return the match after a shot and its verdict."""
     played = Played(match.situation, shot, verdict)
     return replace(match, situation=verdict.after, played=(*match.played, played))
+
+
+def rejudge(match: Match, variant: Variant) -> Match:
+    """Return the match with every shot judged again by another text of its game.
+
+    What happened on the table stays, what the referee says of it may change. Raises SettingError
+    where the players or settings do not fit, ValueError where a shot no longer can be played, and
+    what judging raises.
+    """
+    first = match.played[0].before if match.played else match.situation
+    known = {name: value for name, value in match.settings.items() if name in variant.settings}
+    again = start_match(variant, first.players, known, match.seed)
+    games = first.games
+    for one in match.played:
+        if one.before.games > games:
+            games = one.before.games
+            again = next_game(again, one.before.breaker)
+        unknown = one.before.on_table - {kind.id for kind in variant.balls}
+        if unknown:
+            raise ValueError(f"a shot was played with balls that are gone: {sorted(unknown)}")
+        again = advance(again, one.shot, judge_shot(variant, again.situation, one.shot))
+    return again
 
 
 def undo(match: Match) -> Match:
