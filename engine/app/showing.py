@@ -67,9 +67,7 @@ class Showing:
         if session.is_showing and session.trace is not None:
             return session.trace.pins.stances(max(session.clock, 0.0))
         fallen = session.shown.rest.fallen
-        return {
-            pin: stance for pin, stance in self.stage.pins.upright.items() if pin not in fallen
-        }
+        return {pin: stance for pin, stance in self.stage.pins.upright.items() if pin not in fallen}
 
     def places(self, session: Session) -> dict[BallId, Vector]:
         """Return the centre of every ball shown, m."""
