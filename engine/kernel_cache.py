@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
+KERNEL = re.compile(r"^@(?:njit|kernel)", re.MULTILINE)
 IMPORT = re.compile(r"^from (\w+(?:\.\w+)*) import", re.MULTILINE)
 STAMP = "kernels.digest"
 
@@ -24,9 +25,9 @@ STAMP = "kernels.digest"
 def drop_stale(cache: Path, sources: Path) -> list[str]:
     """Delete the indices in `cache` that other sources than today's made; return their names.
 
-    `sources` is a package's folder; the kernels are those of its modules that hold `@njit`, and
-    what they are made from is those modules and, followed through their imports, the modules of
-    their own top package. Call it before the first kernel runs.
+    `sources` is a package's folder; the kernels are those of its modules that hold `@njit` or
+    `@kernel`, and what they are made from is those modules and, followed through their imports, the
+    modules of their own top package. Call it before the first kernel runs.
     """
     kernels, digest = _digest(sources)
     stamp = cache / STAMP
@@ -48,7 +49,7 @@ def drop_stale(cache: Path, sources: Path) -> list[str]:
 def _digest(sources: Path) -> tuple[set[str], str]:
     """Return the names of the modules with kernels, and a digest of all they are made from."""
     texts = {path: path.read_text(encoding="utf-8") for path in sources.glob("*.py")}
-    kernels = [path for path, text in texts.items() if "@njit" in text]
+    kernels = [path for path, text in texts.items() if KERNEL.search(text)]
     root = sources
     while (root.parent / "__init__.py").exists():
         root = root.parent

@@ -10,18 +10,18 @@ from __future__ import annotations
 
 from math import inf, sqrt
 
-from numba import njit
+from engine.geometry.kernel import kernel
 
 NEVER = inf
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def value(k0: float, k1: float, k2: float, k3: float, k4: float, s: float) -> float:
     """Return k0 + k1 s + k2 s^2 + k3 s^3 + k4 s^4."""
     return k0 + s * (k1 + s * (k2 + s * (k3 + s * k4)))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def refine(k0: float, k1: float, k2: float, k3: float, k4: float, low: float, high: float) -> float:
     """Return the root between `low` and `high`, where the quartic changes sign, to an ulp."""
     rising = value(k0, k1, k2, k3, k4, low) < 0.0
@@ -45,7 +45,7 @@ def refine(k0: float, k1: float, k2: float, k3: float, k4: float, low: float, hi
     return s
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _bends(k2: float, k3: float, k4: float) -> tuple[float, float]:
     """Return the inflection points of a quartic, ascending; NEVER stands for a missing one."""
     a, b, c = 6.0 * k4, 3.0 * k3, k2
@@ -60,7 +60,7 @@ def _bends(k2: float, k3: float, k4: float) -> tuple[float, float]:
     return (first, second) if first < second else (second, first)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def first_fall(
     k0: float, k1: float, k2: float, k3: float, k4: float, low: float, high: float
 ) -> float:
@@ -93,7 +93,7 @@ def first_fall(
     return NEVER
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def polish(
     cx: float,
     cy: float,

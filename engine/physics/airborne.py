@@ -11,8 +11,7 @@ from __future__ import annotations
 from math import acos, atan2, cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.geometry.roots import NEVER, first_fall
 from engine.physics.predict import DIP, NEAR
 from engine.physics.state import (
@@ -54,7 +53,7 @@ STRIDE = 1e-6
 """The least step (m) towards a nose: a graze shallower than 1e-11 m may be passed over."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def fall_time(z: float, vz: float, gravity: float, height: float) -> float:
     """Return how long (s) a ball at `z` takes to come down to `height`; 0 if it is lower now."""
     drop = z - height
@@ -67,7 +66,7 @@ def fall_time(z: float, vz: float, gravity: float, height: float) -> float:
     return max(2.0 * drop / (root - vz), 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def flight_end(ball: Floats, world: Floats, noses: Floats, pockets: Floats) -> float:
     """Return the absolute time of landing on the bed, or on the rail behind the noses."""
     gravity, top = world[G_GRAVITY], world[G_NOSE] + ball[RADIUS]
@@ -80,7 +79,7 @@ def flight_end(ball: Floats, world: Floats, noses: Floats, pockets: Floats) -> f
     return ball[T0] + fall_time(ball[Z], ball[VZ], gravity, ball[RADIUS])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def over_pocket(pockets: Floats, x: float, y: float, grown: float) -> int:
     """Return the first pocket whose drop circle, `grown` times as wide, lies below, or -1."""
     for k in range(pockets.shape[0]):
@@ -90,7 +89,7 @@ def over_pocket(pockets: Floats, x: float, y: float, grown: float) -> int:
     return -1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def inside(noses: Floats, x: float, y: float) -> bool:
     """Say whether the noses run round a point: what they turn by, seen from it, passes pi.
 
@@ -107,18 +106,18 @@ def inside(noses: Floats, x: float, y: float) -> bool:
     return not any_nose or total > pi
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _angle(ax: float, ay: float, bx: float, by: float) -> float:
     return atan2(ax * by - ay * bx, ax * bx + ay * by)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _turn_straight(nose: Floats, x: float, y: float) -> float:
     ax, ay = nose[N_X] - x, nose[N_Y] - y
     return _angle(ax, ay, ax + nose[N_SIZE] * nose[N_DX], ay + nose[N_SIZE] * nose[N_DY])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _turn_arc(nose: Floats, x: float, y: float) -> float:
     """Return the turn of an arc, walked counter-clockwise where the bed lies inside it."""
     half, middle = acos(min(max(nose[N_SPAN], -1.0), 1.0)), atan2(nose[N_DY], nose[N_DX])
@@ -134,7 +133,7 @@ def _turn_arc(nose: Floats, x: float, y: float) -> float:
     return total
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def nearest(nose: Floats, x: float, y: float) -> tuple[float, float]:
     """Return the point (m) of a nose that is nearest to (x, y)."""
     dx, dy = x - nose[N_X], y - nose[N_Y]
@@ -152,7 +151,7 @@ def nearest(nose: Floats, x: float, y: float) -> tuple[float, float]:
     return nose[N_X] + size * ex, nose[N_Y] + size * ey
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _gap(ball: Floats, nose: Floats, world: Floats, t: float) -> float:
     x, y = ball[X] + t * ball[VX], ball[Y] + t * ball[VY]
     z = ball[Z] + t * (ball[VZ] - 0.5 * world[G_GRAVITY] * t) - world[G_NOSE]
@@ -160,7 +159,7 @@ def _gap(ball: Floats, nose: Floats, world: Floats, t: float) -> float:
     return sqrt((x - px) ** 2 + (y - py) ** 2 + z * z) - ball[RADIUS]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def nose_in_air(ball: Floats, nose: Floats, world: Floats, last: float) -> float:
     """Return when a flying ball at its T0 touches a nose within `last` seconds, or NEVER."""
     reach = ball[RADIUS] + 1e-6
@@ -186,7 +185,7 @@ def nose_in_air(ball: Floats, nose: Floats, world: Floats, last: float) -> float
     return NEVER
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _closing(ball: Floats, nose: Floats, world: Floats) -> float:
     px, py = nearest(nose, ball[X], ball[Y])
     dx, dy, dz = px - ball[X], py - ball[Y], world[G_NOSE] - ball[Z]
@@ -194,7 +193,7 @@ def _closing(ball: Floats, nose: Floats, world: Floats) -> float:
     return (dx * ball[VX] + dy * ball[VY] + dz * ball[VZ]) / reach
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _cross(ball: Floats, nose: Floats, world: Floats, low: float, high: float) -> float:
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -207,7 +206,7 @@ def _cross(ball: Floats, nose: Floats, world: Floats, low: float, high: float) -
     return low
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _lift(ball: Floats, kind: int, gravity: float, s: float) -> tuple[float, float, float]:
     """Return height, its speed and half its acceleration, `s` seconds into the piece."""
     if kind != FLY:
@@ -219,7 +218,7 @@ def _lift(ball: Floats, kind: int, gravity: float, s: float) -> tuple[float, flo
     )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def pair_in_air(
     one: Floats, two: Floats, kind_one: int, kind_two: int, world: Floats, now: float
 ) -> float:
@@ -239,7 +238,7 @@ def pair_in_air(
     return now + closes_in_space(cx, cy, z2 - z1, bx, by, w2 - w1, ax, ay, a2 - a1, distance, last)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def closes_in_space(
     cx: float,
     cy: float,

@@ -11,8 +11,7 @@ from __future__ import annotations
 from math import exp, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.state import (
     ELASTIC,
     G_BALL_BALL,
@@ -44,14 +43,14 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def friction(world: Floats, slip: float) -> float:
     """Return the friction coefficient at a slip speed (m/s); Alciatore TP A.28 for its form."""
     mu: float = world[G_FLOOR] + world[G_RISE] * exp(-world[G_DECAY] * slip)
     return mu
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def restitution(one: Floats, two: Floats, world: Floats, speed: float) -> float:
     """Return the restitution of two balls that near at a speed (m/s): the mean of both."""
     e: float = world[G_E] + 0.5 * (one[LIVELY] + two[LIVELY])
@@ -60,14 +59,14 @@ def restitution(one: Floats, two: Floats, world: Floats, speed: float) -> float:
     return min(max(e - world[G_E_SLOPE] * max(0.0, speed - world[G_E_KNEE]), 0.0), 1.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def grip(one: Floats, two: Floats) -> float:
     """Return by what factor two balls rub more than others: the mean of both."""
     factor: float = 1.0 + 0.5 * (one[GRIP] + two[GRIP])
     return factor
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def closing_speed(one: Floats, two: Floats) -> float:
     """Return how fast two balls near each other along their line of centres, m/s."""
     nx, ny = two[X] - one[X], two[Y] - one[Y]
@@ -75,14 +74,14 @@ def closing_speed(one: Floats, two: Floats) -> float:
     return ((one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny) / gap
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def spin_energy(ball: Floats) -> float:
     """Return the energy of rotation, J."""
     spin = ball[WX] * ball[WX] + ball[WY] * ball[WY] + ball[WZ] * ball[WZ]
     return 0.2 * ball[MASS] * ball[RADIUS] * ball[RADIUS] * spin
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def scale_spin(ball: Floats, factor: float) -> None:
     """Multiply all of the ball's spin."""
     ball[WX] *= factor
@@ -90,7 +89,7 @@ def scale_spin(ball: Floats, factor: float) -> None:
     ball[WZ] *= factor
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def find_rub(
     one: Floats, two: Floats, world: Floats, nx: float, ny: float, pressed: float, share: float
 ) -> tuple[float, float]:
@@ -112,7 +111,7 @@ def find_rub(
     return -impulse * along / slip, -impulse * upward / slip
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def give_rub(one: Floats, two: Floats, nx: float, ny: float, across: float, up: float) -> None:
     """Apply a friction impulse (N s) to both balls; what goes up turns but does not lift."""
     one[VX] -= across * ny / one[MASS]
@@ -123,7 +122,7 @@ def give_rub(one: Floats, two: Floats, nx: float, ny: float, across: float, up: 
     _twist(two, nx, ny, across, up)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _twist(ball: Floats, nx: float, ny: float, across: float, up: float) -> None:
     lever = 2.5 / (ball[MASS] * ball[RADIUS])
     ball[WX] += lever * up * ny
@@ -131,7 +130,7 @@ def _twist(ball: Floats, nx: float, ny: float, across: float, up: float) -> None
     ball[WZ] += lever * across
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
     """Resolve one meeting; return the speed of approach (m/s)."""
     nx, ny = two[X] - one[X], two[Y] - one[Y]
@@ -153,7 +152,7 @@ def strike_apart(one: Floats, two: Floats, world: Floats) -> float:
     return speed
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _rest_apart(one: Floats, two: Floats, speed: float, reduced: float) -> float:
     """Return the leaving speed of a resting contact, taking any gain from the balls' spin."""
     if speed >= KICK:
@@ -165,7 +164,7 @@ def _rest_apart(one: Floats, two: Floats, speed: float, reduced: float) -> float
     return leaving
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def kick(speed: float, mass: float, store: float) -> tuple[float, float]:
     """Return the speed of a resting bounce and what is left of the spin that pays for it.
 

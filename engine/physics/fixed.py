@@ -13,11 +13,11 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.motion import begin
-from engine.physics.predict import NEVER, closes, nose_time, swept_box
+from engine.physics.predict import NEVER, closes, nose_time
 from engine.physics.rebound import bounce
 from engine.physics.record import (
     change,
@@ -73,7 +73,7 @@ HITS = 8
 """How often one ball may hit something within one step."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def run_fixed(
     balls: Floats,
     kinds: Ints,
@@ -118,7 +118,7 @@ def run_fixed(
         clock[0] = following
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _age(
     balls: Floats,
     kinds: Ints,
@@ -134,7 +134,7 @@ def _age(
         change(balls, kinds, world, pieces, events, counts, i)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _restart(
     balls: Floats, kinds: Ints, world: Floats, events: Floats, counts: Ints, i: int, now: float
 ) -> None:
@@ -144,14 +144,14 @@ def _restart(
         note(events, counts, STOPPED, now, i, -1.0, 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _at(ball: Floats, now: float) -> tuple[float, float]:
     s = now - ball[T0]
     x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
     return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _correct(
     balls: Floats,
     kinds: Ints,
@@ -176,7 +176,7 @@ def _correct(
                 _push_out(balls, kinds, world, noses, pieces, events, counts, i, k, now)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _part(
     balls: Floats,
     kinds: Ints,
@@ -211,7 +211,7 @@ def _part(
     _restart(balls, kinds, world, events, counts, j, now)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _depth(ball: Floats, nose: Floats, x: float, y: float) -> float:
     """Return how deep (m) a ball at (x, y) lies in a nose; at most zero where it does not."""
     dx, dy = x - nose[N_X], y - nose[N_Y]
@@ -228,7 +228,7 @@ def _depth(ball: Floats, nose: Floats, x: float, y: float) -> float:
     return nose[N_SIZE] + own - reach
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _push_out(
     balls: Floats,
     kinds: Ints,
@@ -255,7 +255,7 @@ def _push_out(
     _restart(balls, kinds, world, events, counts, i, now)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _preempt(
     balls: Floats,
     kinds: Ints,
@@ -285,7 +285,7 @@ def _preempt(
         _age(balls, kinds, world, pieces, events, counts, i, following)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _first_hit(
     balls: Floats, kinds: Ints, noses: Floats, at: Floats, i: int, last: float
 ) -> tuple[float, int, int]:
@@ -308,16 +308,14 @@ def _first_hit(
         )
         if t < best:
             best, other = t, j
-    box = np.empty(4)
-    swept_box(ball, last - at[i], box)
     for k in range(noses.shape[0]):
-        t = nose_time(ball, noses[k], last - at[i], box)
+        t = nose_time(ball, noses[k], last - at[i])
         if t < best:
             best, other, nose = t, -1, k
     return best, other, nose
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _hit(
     balls: Floats,
     kinds: Ints,
@@ -348,7 +346,7 @@ def _hit(
     _restart(balls, kinds, world, events, counts, i, t)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _catch(
     balls: Floats,
     kinds: Ints,

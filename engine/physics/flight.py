@@ -12,8 +12,8 @@ from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.airborne import (
     flight_end,
     inside,
@@ -77,7 +77,7 @@ BACK = 2.0
 """A ball that falls behind a mouth, within so many drop radii, is in that pocket."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def run_flying(
     balls: Floats,
     kinds: Ints,
@@ -116,7 +116,7 @@ def run_flying(
         _hide(kinds, bedded)
         _, _, below = next_event(balls, bedded, foreseen)
         if clock[C_ALARM] < min(now, below) and clock[C_ALARM] <= until:
-            return ask(counts, clock, ASK_ALARM, -1, -1, clock[C_ALARM])
+            return ask(counts, clock, ASK_ALARM, who, who, clock[C_ALARM])
         if below <= min(now, until):
             args = (pairs, foreseen, pieces, events, counts, clock, below)
             answer = run(balls, bedded, world, noses, pockets, *args)
@@ -145,20 +145,20 @@ def run_flying(
         _settle(balls, kinds, world, noses, pockets, pairs, foreseen, events, counts, who, box)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _hide(kinds: Ints, bedded: Ints) -> None:
     for i in range(kinds.shape[0]):
         bedded[i] = GONE if kinds[i] == FLY else kinds[i]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _show(kinds: Ints, bedded: Ints) -> None:
     for i in range(kinds.shape[0]):
         if kinds[i] != FLY:
             kinds[i] = bedded[i]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _next_in_air(
     balls: Floats, kinds: Ints, world: Floats, foreseen: Floats, now: float
 ) -> tuple[int, int, int, float]:
@@ -182,7 +182,7 @@ def _next_in_air(
     return what, who, other, best
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _soar(ball: Floats, world: Floats, noses: Floats, pockets: Floats, row: Floats) -> None:
     """Begin a piece of flight at the row's r, v and T0: where it ends, and the first nose."""
     ball[AX] = ball[AY] = ball[BX] = ball[BY] = 0.0
@@ -194,7 +194,7 @@ def _soar(ball: Floats, world: Floats, noses: Floats, pockets: Floats, row: Floa
             row[K_NOSE_TIME], row[K_NOSE] = t, k
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _advance(
     ball: Floats, kind: int, world: Floats, pieces: Floats, counts: Ints, i: int, now: float
 ) -> None:
@@ -208,7 +208,7 @@ def _advance(
     ball[T0] = now
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _meet(
     balls: Floats,
     kinds: Ints,
@@ -234,7 +234,7 @@ def _meet(
         kinds[other] = FLY
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
     nz = balls[two, Z] - balls[one, Z]
@@ -243,7 +243,7 @@ def _faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     return (one, two) if mine >= yours else (two, one)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _come_down(
     ball: Floats,
     world: Floats,
@@ -274,7 +274,7 @@ def _come_down(
     return GONE
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _settle(
     balls: Floats,
     kinds: Ints,

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.predict import NEVER, nose_time, pair_time, pocket_time, swept_box
 from engine.physics.state import (
     END,
@@ -22,6 +21,10 @@ from engine.physics.state import (
     K_NOSE_TIME,
     K_PAIR,
     K_PAIR_TIME,
+    N_HIX,
+    N_HIY,
+    N_LOX,
+    N_LOY,
     REST,
     ROLL,
     SLIDE,
@@ -39,7 +42,7 @@ if TYPE_CHECKING:
     Ints = NDArray[np.int64]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def next_event(balls: Floats, kinds: Ints, foreseen: Floats) -> tuple[int, int, float]:
     """Return tier, ball and time of the earliest foreseen event."""
     best, tier, who = NEVER, 4, -1
@@ -61,7 +64,7 @@ def next_event(balls: Floats, kinds: Ints, foreseen: Floats) -> tuple[int, int, 
     return tier, who, best
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def foresee(
     balls: Floats,
     kinds: Ints,
@@ -92,20 +95,27 @@ def foresee(
     _foresee_pairs(balls, kinds, pairs, foreseen, i, now)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _foresee_noses(ball: Floats, noses: Floats, row: Floats, box: Floats) -> None:
     """Find the first nose; what lies beyond one that was found is not looked at."""
     last = ball[END] - ball[T0]
     swept_box(ball, last, box)
     for k in range(noses.shape[0]):
-        t = nose_time(ball, noses[k], last, box)
+        if (
+            noses[k, N_LOX] > box[2]
+            or noses[k, N_HIX] < box[0]
+            or noses[k, N_LOY] > box[3]
+            or noses[k, N_HIY] < box[1]
+        ):
+            continue
+        t = nose_time(ball, noses[k], last)
         if t < row[K_NOSE_TIME]:
             row[K_NOSE_TIME], row[K_NOSE] = t, k
             last = t - ball[T0]
             swept_box(ball, last, box)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _foresee_pairs(
     balls: Floats, kinds: Ints, pairs: Floats, foreseen: Floats, i: int, now: float
 ) -> None:
@@ -131,7 +141,7 @@ def _foresee_pairs(
     _earliest_partner(pairs, foreseen, i)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _earliest_partner(pairs: Floats, foreseen: Floats, i: int) -> None:
     row = foreseen[i]
     row[K_PAIR_TIME] = NEVER

@@ -11,8 +11,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.collide import friction, grip, kick, restitution, scale_spin, spin_energy
 from engine.physics.rebound import bounce, restitution_at
 from engine.physics.state import (
@@ -53,7 +52,7 @@ SKIM = 5e-3
 """A ball less than this (m) above the bed meets a nose by the bed's own model."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def meet_bed(ball: Floats, world: Floats) -> float:
     """Resolve a fall onto the bed; return its speed (m/s). V_z is zero where the ball stays down.
 
@@ -77,7 +76,7 @@ def meet_bed(ball: Floats, world: Floats) -> float:
     return down
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _turn(ball: Floats, nx: float, ny: float, nz: float, jx: float, jy: float, jz: float) -> None:
     """Turn a ball by the impulse j (N s) at its surface in the direction n."""
     lever = 2.5 / (ball[MASS] * ball[RADIUS])
@@ -86,14 +85,14 @@ def _turn(ball: Floats, nx: float, ny: float, nz: float, jx: float, jy: float, j
     ball[WZ] += lever * (nx * jy - ny * jx)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _push(ball: Floats, jx: float, jy: float, jz: float) -> None:
     ball[VX] += jx / ball[MASS]
     ball[VY] += jy / ball[MASS]
     ball[VZ] += jz / ball[MASS]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def meet_nose(ball: Floats, world: Floats, nose: Floats, px: float, py: float) -> float:
     """Resolve a hit on the nose's point above (px, py); return the closing speed, m/s."""
     dx, dy, dz = px - ball[X], py - ball[Y], world[G_NOSE] - ball[Z]
@@ -111,7 +110,7 @@ def meet_nose(ball: Floats, world: Floats, nose: Floats, px: float, py: float) -
     return speed
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _off_nose(ball: Floats, nose: Floats, nx: float, ny: float, nz: float, speed: float) -> None:
     lively = restitution_at(nose, speed) if speed >= LIGHT else 1.0
     mass, radius = ball[MASS], ball[RADIUS]
@@ -127,7 +126,7 @@ def _off_nose(ball: Floats, nose: Floats, nx: float, ny: float, nz: float, speed
         _turn(ball, nx, ny, nz, rub * sx, rub * sy, rub * sz)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def nearing(one: Floats, two: Floats) -> float:
     """Return how fast two balls near each other along their line of centres, m/s."""
     nx, ny, nz = two[X] - one[X], two[Y] - one[Y], two[Z] - one[Z]
@@ -135,7 +134,7 @@ def nearing(one: Floats, two: Floats) -> float:
     return along / sqrt(nx * nx + ny * ny + nz * nz)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Floats) -> float:
     """Resolve a meeting of which at least one flies; return the speed of approach, m/s.
 
@@ -170,7 +169,7 @@ def meet_ball(one: Floats, two: Floats, kind_one: int, kind_two: int, world: Flo
     return speed
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _slip(
     one: Floats, two: Floats, nx: float, ny: float, nz: float, speed: float
 ) -> tuple[float, float, float]:
@@ -185,7 +184,7 @@ def _slip(
     )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _keep_down(ball: Floats, kind: int, world: Floats) -> None:
     """Let a ball on the bed rise only where it is worth it."""
     if kind != FLY and (ball[VZ] <= 0.0 or ball[VZ] ** 2 <= 2.0 * world[G_GRAVITY] * HOP):

@@ -16,7 +16,8 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
+
+from engine.geometry.kernel import kernel, kernel_with_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -57,7 +58,7 @@ NODE = 5e-3
 """The longest time (s) between two places noted on the way, save in free flight."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def leaving_angle(speed: float, gravity: float, rho: float) -> float:
     """Return the angle (rad) at which a ball that rolls straight over a lip leaves it.
 
@@ -73,7 +74,7 @@ def leaving_angle(speed: float, gravity: float, rho: float) -> float:
     return float(lean[0])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
     """Carry a ball (B_*) whose centre has come over a drop (H_*) to its outcome, in place.
 
@@ -101,7 +102,7 @@ def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
     return outcome, time, count
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
     """Note a place of the ball's way, as long as there is room for it and the last."""
     if counts[0] < way.shape[0] - 1:
@@ -110,7 +111,7 @@ def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
         counts[0] += 1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _energy(body: Floats, hole: Floats) -> float:
     """Return a ball's energy over its mass."""
     speed = body[B_VX] ** 2 + body[B_VY] ** 2 + body[B_VZ] ** 2
@@ -118,7 +119,7 @@ def _energy(body: Floats, hole: Floats) -> float:
     return 0.5 * speed + 0.2 * hole[H_BALL] ** 2 * spin + hole[H_GRAVITY] * body[B_Z]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _no_gain(body: Floats, hole: Floats, before: float) -> None:
     """Take back from speed and spin what integration gained, or the modelled leap onto the bed."""
     height = hole[H_GRAVITY] * body[B_Z]
@@ -130,7 +131,7 @@ def _no_gain(body: Floats, hole: Floats, before: float) -> None:
         body[k] *= part
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _rolls(body: Floats, hole: Floats) -> bool:
     """Say whether a ball on the bed rolls, or nearly so."""
     ux = body[B_VX] - hole[H_BALL] * body[B_WY]
@@ -138,7 +139,7 @@ def _rolls(body: Floats, hole: Floats) -> bool:
     return hypot(ux, uy) <= SLIPS * hypot(body[B_VX], body[B_VY]) + 1e-9
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _pull(psi: float, hole: Floats, rho: float, whirl: float, inertia: float) -> float:
     """Return the angular acceleration of leaning: gravity's, and that of going round."""
     reach = hole[H_RADIUS] - rho * sin(psi)
@@ -146,7 +147,7 @@ def _pull(psi: float, hole: Floats, rho: float, whirl: float, inertia: float) ->
     return hole[H_GRAVITY] * sin(psi) / (rho * inertia) - round_off
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _pressed(psi: float, rate: float, hole: Floats, rho: float, whirl: float) -> float:
     """Return the force over mass with which lip and ball press each other."""
     reach = hole[H_RADIUS] - rho * sin(psi)
@@ -154,7 +155,7 @@ def _pressed(psi: float, rate: float, hole: Floats, rho: float, whirl: float) ->
     return hole[H_GRAVITY] * cos(psi) - rho * rate * rate + outward
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _lean_step(
     y: Floats, h: float, hole: Floats, rho: float, whirl: float, inertia: float, out: Floats
 ) -> None:
@@ -175,7 +176,7 @@ def _lean_step(
     out[2] = y[2] + whirl * h / 6.0 * (1.0 / (g1 * g1) + 4.0 / (g2 * g2) + 1.0 / (g3 * g3))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _lean_over(
     body: Floats, hole: Floats, inertia: float, lean: Floats, way: Floats, counts: Ints
 ) -> bool:
@@ -220,7 +221,7 @@ def _lean_over(
     return back
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _last_step(
     y: Floats, h: float, hole: Floats, rho: float, whirl: float, inertia: float, new: Floats
 ) -> float:
@@ -237,14 +238,14 @@ def _last_step(
     return high
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _leaves(y: Floats, hole: Floats, rho: float, whirl: float) -> bool:
     """Say whether nothing presses any more, or the ball is back up."""
     loose = _pressed(y[0], y[1], hole, rho, whirl) <= 0.0
     return loose or y[0] < 0.0 or y[0] > 0.5 * pi
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _set_down(
     body: Floats,
     hole: Floats,
@@ -273,14 +274,14 @@ def _set_down(
     body[B_WZ] = (nx * body[B_VY] - ny * body[B_VX]) / r + left * nz
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _at_bed(x: float, y: float, hole: Floats) -> bool:
     """Say whether the hole's edge in this direction from its middle is the bed's."""
     d = hypot(x, y)
     return x * hole[H_BED_X] + y * hole[H_BED_Y] >= hole[H_BED_COS] * d - 1e-12
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _gap(body: Floats, hole: Floats, normal: Floats) -> float:
     """Return how far (m) a ball is from what is nearest in the hole; `normal` points from it."""
     d = hypot(body[B_X], body[B_Y])
@@ -300,7 +301,7 @@ def _gap(body: Floats, hole: Floats, normal: Floats) -> float:
     return reach - lip - hole[H_BALL]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _drift(body: Floats, h: float, gravity: float) -> None:
     body[B_X] += h * body[B_VX]
     body[B_Y] += h * body[B_VY]
@@ -308,7 +309,7 @@ def _drift(body: Floats, h: float, gravity: float) -> None:
     body[B_VZ] -= gravity * h
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _outcome(body: Floats, hole: Floats) -> int:
     """Return what has become of a ball, or -1 while that is open."""
     if body[B_Z] <= -hole[H_BALL]:
@@ -320,7 +321,7 @@ def _outcome(body: Floats, hole: Floats) -> int:
     return OVER if body[B_Z] > hole[H_RIM] else -1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> tuple[int, float]:
     """Let a ball fall and bounce in the hole to its outcome; return it and its time."""
     trial, normal, noted = np.empty(BODY), np.empty(3), time
@@ -363,7 +364,7 @@ def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> 
     return CAPTURED, time
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _strike(body: Floats, hole: Floats, normal: Floats) -> None:
     """Resolve a blow against what lies behind `normal`: restitution, and friction to 2/7."""
     nx, ny, nz = normal[0], normal[1], normal[2]

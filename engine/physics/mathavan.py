@@ -15,8 +15,8 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.state import (
     RADIUS,
     SLIDING,
@@ -51,7 +51,7 @@ NOSE_X, NOSE_T, BED_X, BED_Y, FX, FT, TX, TY, WORK, PUSH = range(10)
 so far, the nose's work and its push p. The frame is X along the nose, Y into it."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def mathavan(
     ball: Floats,
     where: tuple[float, float],
@@ -88,7 +88,7 @@ def mathavan(
     ball[WZ] = part * spin_z / radius
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
     """Run compression and restitution; `speed` is the ball's into the nose."""
     trial = np.empty(10)
@@ -116,7 +116,7 @@ def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
         part = min(1.0, part * ease)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _least(y: Floats, dead: float) -> float:
     """Return the lesser of the slips that have not died."""
     nose = y[NOSE_X] ** 2 + y[NOSE_T] ** 2
@@ -126,19 +126,19 @@ def _least(y: Floats, dead: float) -> float:
     return sqrt(min(nose, bed))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _into(y: Floats, place: Five) -> float:
     """Return the speed into the nose, which both upward slips tell."""
     return (y[BED_Y] - y[NOSE_T]) / (1.0 + place[P_RISE])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _left(y: Floats, place: Five, goal: float, returning: float) -> float:
     """Return what is left of the phase: speed into the nose, or work to give back."""
     return y[WORK] - goal if returning > 0.0 else _into(y, place)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _arrive(
     y: Floats,
     first: Four,
@@ -169,7 +169,7 @@ def _arrive(
         _attempt(y, first, place, h, trial)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _drift(f: Four, place: Five) -> Four:
     """Return how the slips change with p under the friction f."""
     fx, ft, tx, ty = f
@@ -182,7 +182,7 @@ def _drift(f: Four, place: Five) -> Four:
     )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _attempt(y: Floats, first: Four, place: Five, h: float, trial: Floats) -> float:
     """Fill `trial` with the state after the impulse h; return an estimate of its error.
 
@@ -224,7 +224,7 @@ def _attempt(y: Floats, first: Four, place: Five, h: float, trial: Floats) -> fl
     return 0.2 * (nose + abs(trial[BED_X] - b2) + abs(trial[BED_Y] - b3))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _life(y: Floats, friction: Four, place: Five) -> float:
     """Return the impulse after which the first of the slips that lessen would be gone."""
     dead = place[P_DEAD]
@@ -233,13 +233,13 @@ def _life(y: Floats, friction: Four, place: Five) -> float:
     return min(nose, _ceases(y[BED_X], y[BED_Y], ux, uy, dead))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _ceases(x: float, y: float, dx: float, dy: float, dead: float) -> float:
     square, slope = x * x + y * y, x * dx + y * dy
     return -square / slope if slope < 0.0 and square > dead * dead else inf
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _still(y: Floats, place: Five) -> None:
     """Make a slip that has died exactly zero, as its friction would have within no time."""
     rise, dead = place[P_RISE], place[P_DEAD]
@@ -259,7 +259,7 @@ def _still(y: Floats, place: Five) -> None:
         y[NOSE_X] = y[NOSE_T] = 0.0
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _friction(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
     """Return the friction per p at the nose, along and upwards, and on the bed."""
     slip, slide = sx * sx + st * st, ux * ux + uy * uy
@@ -272,7 +272,7 @@ def _friction(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
     return fx, ft, part * ux, part * uy
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _within(x: float, y: float, size: float) -> tuple[float, float]:
     """Return (x, y), or where it is longer than `size`, its part of that length."""
     square = x * x + y * y
@@ -282,7 +282,7 @@ def _within(x: float, y: float, size: float) -> tuple[float, float]:
     return part * x, part * y
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _hold(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
     """Return the friction where a slip is zero.
 

@@ -11,8 +11,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.state import (
     AX,
     AY,
@@ -51,7 +50,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def side_spin(ball: Floats, t: float) -> float:
     """Return w_z at absolute time `t`: a linear decay that ends at zero."""
     spin: float = ball[WZ]
@@ -61,7 +60,7 @@ def side_spin(ball: Floats, t: float) -> float:
     return max(spin - lost, 0.0) if spin > 0.0 else min(spin + lost, 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def carry(ball: Floats, t: float) -> None:
     """Move the row's origin to absolute time `t`, by its own formula; the kind stays."""
     s = t - ball[T0]
@@ -75,7 +74,7 @@ def carry(ball: Floats, t: float) -> None:
     ball[T0] = t
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def begin(ball: Floats, world: Floats) -> int:
     """Choose the piece that starts from the row's r, v, w at T0; fill rates and END."""
     radius, rate = ball[RADIUS], ball[SLOWING]
@@ -99,7 +98,7 @@ def begin(ball: Floats, world: Floats) -> int:
     return _stand(ball)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _roll(ball: Floats, push: float, speed: float, until: float) -> int:
     radius = ball[RADIUS]
     ball[WX], ball[WY] = -ball[VY] / radius, ball[VX] / radius
@@ -109,7 +108,7 @@ def _roll(ball: Floats, push: float, speed: float, until: float) -> int:
     return ROLL if until == 0.0 else FAST
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _two_speed(ball: Floats, world: Floats, speed: float) -> int:
     """Choose the 2012 report's branch: full friction above the threshold, rolling below."""
     if speed > world[G_THRESHOLD] + STILL:
@@ -117,7 +116,7 @@ def _two_speed(ball: Floats, world: Floats, speed: float) -> int:
     return _roll(ball, ball[ROLLING_MU] * world[G_GRAVITY], speed, 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _stand(ball: Floats) -> int:
     ball[VX] = ball[VY] = ball[WX] = ball[WY] = 0.0
     ball[AX] = ball[AY] = ball[BX] = ball[BY] = 0.0
@@ -128,7 +127,7 @@ def _stand(ball: Floats) -> int:
     return REST
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def finish(ball: Floats, world: Floats, kind: int) -> int:
     """Begin the piece that follows `kind` at its END, constructing the state exactly."""
     radius, end = ball[RADIUS], ball[END]

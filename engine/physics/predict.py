@@ -12,8 +12,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.geometry.roots import NEVER, first_fall, polish
 from engine.physics.state import (
     AX,
@@ -22,10 +21,6 @@ from engine.physics.state import (
     N_CURVED,
     N_DX,
     N_DY,
-    N_HIX,
-    N_HIY,
-    N_LOX,
-    N_LOY,
     N_SIZE,
     N_SPAN,
     N_UPRIGHT,
@@ -50,7 +45,7 @@ DIP = 4e-10
 NEAR = 1e-9
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def passes_by(
     cx: float, cy: float, bx: float, by: float, ax: float, ay: float, distance: float, last: float
 ) -> bool:
@@ -70,7 +65,7 @@ def passes_by(
     return across * across > near * near * square
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def closes(
     cx: float, cy: float, bx: float, by: float, ax: float, ay: float, distance: float, last: float
 ) -> float:
@@ -111,7 +106,7 @@ def closes(
     return min(polish(cx, cy, bx, by, ax, ay, distance, s * last), last)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def pair_time(one: Floats, two: Floats, now: float) -> float:
     """Return the time at which two balls touch; unequal balls on a bed touch at 2 sqrt(R r)."""
     last = min(one[END], two[END]) - now
@@ -127,7 +122,7 @@ def pair_time(one: Floats, two: Floats, now: float) -> float:
     return now + closes(cx, cy, bx, by, ax, ay, distance, last)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def pocket_time(ball: Floats, px: float, py: float, radius: float) -> float:
     """Return when the centre of a ball at its T0 comes over a drop circle."""
     cx, cy = ball[X] - px, ball[Y] - py
@@ -153,7 +148,7 @@ def pocket_time(ball: Floats, px: float, py: float, radius: float) -> float:
     return ball[T0] + min(t, last)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def swept_box(ball: Floats, last: float, box: Floats) -> None:
     """Fill `box` with the low and high x and y of the ball's path, grown by its radius.
 
@@ -171,20 +166,15 @@ def swept_box(ball: Floats, last: float, box: Floats) -> None:
         box[axis], box[2 + axis] = low - ball[RADIUS] - 1e-6, high + ball[RADIUS] + 1e-6
 
 
-@njit(cache=True, error_model="numpy")
-def nose_time(ball: Floats, nose: Floats, last: float, box: Floats) -> float:
-    """Return when a ball at its T0 touches a nose within `last` seconds, or NEVER.
-
-    `box` is that of `swept_box`.
-    """
-    if nose[N_LOX] > box[2] or nose[N_HIX] < box[0] or nose[N_LOY] > box[3] or nose[N_HIY] < box[1]:
-        return NEVER
+@kernel
+def nose_time(ball: Floats, nose: Floats, last: float) -> float:
+    """Return when a ball at its T0 touches a nose within `last` seconds, or NEVER."""
     if nose[N_CURVED] != 0.0:
         return _arc_time(ball, nose, last)
     return _line_time(ball, nose, last)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _line_time(ball: Floats, nose: Floats, last: float) -> float:
     nx, ny = -nose[N_DY], nose[N_DX]
     x, y = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
@@ -202,6 +192,8 @@ def _line_time(ball: Floats, nose: Floats, last: float) -> float:
             gap = DIP if pull < 0.0 else 0.0
     if gap >= 0.0 and speed >= 0.0 and pull >= 0.0:
         return NEVER
+    if gap >= 1e-6 and pull <= 0.0 and gap + last * (speed + last * pull) > 1e-6:
+        return NEVER
     s = first_fall(gap, speed * last, pull * last * last, 0.0, 0.0, 0.0, 1.0)
     if s == NEVER:
         return NEVER
@@ -216,7 +208,7 @@ def _line_time(ball: Floats, nose: Floats, last: float) -> float:
     return ball[T0] + t
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _arc_time(ball: Floats, nose: Floats, last: float) -> float:
     cx, cy = ball[X] - nose[N_X], ball[Y] - nose[N_Y]
     ax, ay = 0.5 * ball[AX], 0.5 * ball[AY]
@@ -261,7 +253,7 @@ def _arc_time(ball: Floats, nose: Floats, last: float) -> float:
     return NEVER
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _faces(nose: Floats, x: float, y: float) -> bool:
     """Say whether the direction (x, y) from the arc's centre lies in its sweep."""
     ahead = x * nose[N_DX] + y * nose[N_DY]

@@ -10,8 +10,7 @@ from __future__ import annotations
 from math import atan2, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.collide import kick, scale_spin, spin_energy
 from engine.physics.mathavan import mathavan
 from engine.physics.state import (
@@ -50,7 +49,7 @@ HUG = 0.01
 """The speed of a hop along a nose that curves round the bed, as a share of the speed along it."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> float:
     """Resolve a hit on a nose that lies in the direction (ix, iy); return the normal speed."""
     speed = ball[VX] * ix + ball[VY] * iy
@@ -71,7 +70,7 @@ def bounce(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> f
     return speed
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def restitution_at(nose: Floats, speed: float) -> float:
     """Return a nose's restitution at a normal speed (m/s)."""
     over = max(0.0, speed - nose[N_KNEE])
@@ -81,7 +80,7 @@ def restitution_at(nose: Floats, speed: float) -> float:
     return min(max(restitution, nose[N_LEAST]), 1.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def friction_at(nose: Floats, speed: float, along: float) -> float:
     """Return a nose's friction for speeds into and along it, which falls with the incidence."""
     mu: float = nose[N_RUB]
@@ -90,7 +89,7 @@ def friction_at(nose: Floats, speed: float, along: float) -> float:
     return max(mu - nose[N_RUB_SLOPE] * atan2(abs(along), speed), 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def meet_nose(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -> float:
     """Resolve a hit on a nose as `bounce` does, save that a ball may run along one round the bed.
 
@@ -108,7 +107,7 @@ def meet_nose(ball: Floats, world: Floats, nose: Floats, ix: float, iy: float) -
     return bounce(ball, world, nose, ix, iy)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def lean(ball: Floats, world: Floats, nose: Floats) -> tuple[float, float]:
     """Return sine and cosine of the angle above its centre at which a nose touches the ball."""
     if nose[N_UPRIGHT] != 0.0:
@@ -116,7 +115,7 @@ def lean(ball: Floats, world: Floats, nose: Floats) -> tuple[float, float]:
     return (world[G_NOSE] - ball[RADIUS]) / ball[RADIUS], ball[REACH] / ball[RADIUS]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _rest(ball: Floats, speed: float) -> float:
     """Return the leaving speed of a resting contact, taking any gain from the ball's spin."""
     if speed >= KICK:
@@ -126,7 +125,7 @@ def _rest(ball: Floats, speed: float) -> float:
     return leaving
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _han(
     ball: Floats,
     place: tuple[float, float],

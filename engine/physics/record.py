@@ -9,8 +9,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.motion import carry, finish
 from engine.physics.state import (
     AX,
@@ -76,7 +75,7 @@ if TYPE_CHECKING:
     Ints = NDArray[np.int64]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def move(
     balls: Floats,
     kinds: Ints,
@@ -90,7 +89,7 @@ def move(
     carry(balls[i], now)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: float) -> None:
     """Write the ball's piece, which ends `now`, into the trace; an empty one is no piece."""
     if now <= ball[T0]:
@@ -104,7 +103,7 @@ def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: fl
     counts[PIECES] += 1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def note(
     events: Floats, counts: Ints, kind: float, now: float, first: int, second: float, speed: float
 ) -> None:
@@ -115,7 +114,7 @@ def note(
     counts[EVENTS] += 1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def drop(
     balls: Floats,
     kinds: Ints,
@@ -133,7 +132,7 @@ def drop(
     ball[END] = inf
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     """Return the two with the faster along the line of centres first."""
     nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
@@ -142,7 +141,7 @@ def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     return (one, two) if mine >= yours else (two, one)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def into(ball: Floats, nose: Floats) -> tuple[float, float]:
     """Return the unit vector from the ball into the nose it touches."""
     if nose[N_CURVED] == 0.0:
@@ -153,7 +152,7 @@ def into(ball: Floats, nose: Floats) -> tuple[float, float]:
     return sign * x / reach, sign * y / reach
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def change(
     balls: Floats,
     kinds: Ints,

@@ -13,8 +13,8 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.collide import find_rub, give_rub, restitution
 from engine.physics.state import (
     ELASTIC,
@@ -56,7 +56,7 @@ CONTACT_WIDTH = 12
 fast they neared; whether they touch; and of this step the normal and the friction impulse."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def gather(
     balls: Floats, present: Ints, first: int, second: int, members: Ints, touch: float
 ) -> int:
@@ -82,13 +82,13 @@ def gather(
     return count
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _gap(one: Floats, two: Floats) -> float:
     x, y = two[X] - one[X], two[Y] - one[Y]
     return sqrt(x * x + y * y) - 2.0 * sqrt(one[RADIUS] * two[RADIUS])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def spread(balls: Floats, members: Ints, count: int, world: Floats, contacts: Floats) -> int:
     """Let a blow run through the members; return how many `contacts` rows describe it."""
     total = _contacts(balls, members, count, contacts)
@@ -105,7 +105,7 @@ def spread(balls: Floats, members: Ints, count: int, world: Floats, contacts: Fl
     return total
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _contacts(balls: Floats, members: Ints, count: int, contacts: Floats) -> int:
     total = 0
     for p in range(count):
@@ -125,7 +125,7 @@ def _contacts(balls: Floats, members: Ints, count: int, contacts: Floats) -> int
     return total
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _fastest(balls: Floats, contacts: Floats) -> float:
     """Return the greatest speed at which touching members near each other."""
     fastest = 0.0
@@ -136,13 +136,13 @@ def _fastest(balls: Floats, contacts: Floats) -> float:
     return fastest
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _nearing(balls: Floats, row: Floats, nx: float, ny: float) -> float:
     one, two = balls[int(row[C_A])], balls[int(row[C_B])]
     return (one[VX] - two[VX]) * nx + (one[VY] - two[VY]) * ny
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _round(
     balls: Floats,
     members: Ints,
@@ -178,7 +178,7 @@ def _round(
     return order
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _push(
     balls: Floats,
     world: Floats,
@@ -228,7 +228,7 @@ def _push(
     return active
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _give(balls: Floats, row: Floats, impulse: float, rubs: bool) -> None:  # noqa: FBT001
     """Apply one contact's impulses, all of which were found before any is applied."""
     one, two = balls[int(row[C_A])], balls[int(row[C_B])]
@@ -241,7 +241,7 @@ def _give(balls: Floats, row: Floats, impulse: float, rubs: bool) -> None:  # no
         give_rub(one, two, nx, ny, row[C_ACROSS], row[C_UP])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _energy(balls: Floats, members: Ints, count: int) -> float:
     total = 0.0
     for p in range(count):
@@ -253,7 +253,7 @@ def _energy(balls: Floats, members: Ints, count: int) -> float:
     return total
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _forbid_gain(balls: Floats, members: Ints, count: int, before: float) -> None:
     """Take back what the integration gained, from the motion relative to the centre of mass."""
     gain = _energy(balls, members, count) - before

@@ -101,7 +101,7 @@ DROP_EDGE, RIM_LIP = range(2)
 HERTZ, SIMULTANEOUS, SEQUENTIAL = range(3)
 """Codes of models; those above FRICTIONAL, MATHAVAN, DROP_EDGE and HERTZ are not built in."""
 
-ASK_DROP, ASK_PAIR, ASK_NOSE, ASK_CLUSTER, ASK_ALARM = range(5)
+ASK_DROP, ASK_PAIR, ASK_NOSE, ASK_CLUSTER, ASK_ALARM = (float(what) for what in range(5))
 """What a kernel may ask for: see `engine.physics.asked`."""
 
 STILL = 1e-9

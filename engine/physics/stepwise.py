@@ -12,8 +12,8 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.foresee import foresee, next_event
 from engine.physics.motion import begin
@@ -85,7 +85,7 @@ DONE, PAUSED, FULL, STORM, DOWN, ASK = range(6)
 flies any more (in `flight` alone), or an event that others resolve."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def run(
     balls: Floats,
     kinds: Ints,
@@ -120,7 +120,7 @@ def run(
             return STORM
         tier, who, now = next_event(balls, kinds, foreseen)
         if clock[C_ALARM] < now and clock[C_ALARM] <= until:
-            return ask(counts, clock, ASK_ALARM, -1, -1, clock[C_ALARM])
+            return ask(counts, clock, ASK_ALARM, who, who, clock[C_ALARM])
         if now == NEVER:
             return DONE
         if now > until:
@@ -167,7 +167,7 @@ def run(
             foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _meet(
     balls: Floats,
     kinds: Ints,
@@ -215,15 +215,15 @@ def _meet(
     return count
 
 
-@njit(cache=True, error_model="numpy")
-def ask(counts: Ints, clock: Floats, what: int, who: int, other: int, now: float) -> int:
+@kernel
+def ask(counts: Ints, clock: Floats, what: float, who: int, other: int, now: float) -> int:
     """Leave what is asked in the counts and its time in the clock; return ASK."""
-    counts[ASK_WHAT], counts[ASK_WHO], counts[ASK_OTHER] = what, who, other
+    counts[ASK_WHAT], counts[ASK_WHO], counts[ASK_OTHER] = int(what), who, other
     clock[0] = max(now, clock[0])
     return ASK
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def resume(
     balls: Floats,
     kinds: Ints,
@@ -262,14 +262,14 @@ def resume(
             foresee(balls, bedded, noses, pockets, pairs, foreseen, i, now, box)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _at(ball: Floats, now: float) -> tuple[float, float]:
     s = now - ball[T0]
     x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
     return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float, gap: float) -> bool:
     """Say whether a third ball touches one of the two."""
     for k in range(balls.shape[0]):
@@ -284,7 +284,7 @@ def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float, gap: fl
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@kernel_with_arrays
 def _gather_now(
     balls: Floats,
     kinds: Ints,
@@ -309,7 +309,7 @@ def _gather_now(
     return count
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _note_contacts(
     events: Floats, counts: Ints, contacts: Floats, total: int, one: int, two: int, now: float
 ) -> None:

@@ -15,8 +15,7 @@ from __future__ import annotations
 from math import acos, cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from numba import njit
-
+from engine.geometry.kernel import kernel
 from engine.physics.state import RADIUS, VX, VY, WX, WY, WZ
 
 if TYPE_CHECKING:
@@ -38,7 +37,7 @@ TURNS = 40
 """Changes between slip and stick after which no more are looked for; three are usual."""
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _force(time: float, e: float) -> float:
     """Return the normal force at a time, both made dimensionless: 1 at most, 0 at the ends."""
     if time <= 0.5 * pi:
@@ -46,7 +45,7 @@ def _force(time: float, e: float) -> float:
     return sin(time / e + 0.5 * pi * (1.0 - 1.0 / e))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _pushed(time: float, e: float) -> float:
     """Return the normal impulse up to a time: 1 when compression ends, 1 + e at the end."""
     if time <= 0.5 * pi:
@@ -54,7 +53,7 @@ def _pushed(time: float, e: float) -> float:
     return 1.0 - e * cos(time / e + 0.5 * pi * (1.0 - 1.0 / e))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _slip_ends(time: float, speed: float, grip: float, e: float, square: float) -> float:
     """Return when a slip that goes on at `time` with the ball's `speed` ends, or the impact's end.
 
@@ -79,14 +78,14 @@ def _slip_ends(time: float, speed: float, grip: float, e: float, square: float) 
     return end
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _spare(time: float, start: float, y: float, v: float, grip: float, e: float, w: float) -> float:
     """Return how much more friction could hold while the contact sticks since `start`."""
     angle = w * (time - start)
     return grip * _force(time, e) - abs(w * w * y * cos(angle) + w * v * sin(angle))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _stick_ends(start: float, y: float, v: float, grip: float, e: float, w: float) -> float:
     """Return when friction no longer holds the spring, or the impact's end."""
     end = 0.5 * pi * (1.0 + e)
@@ -111,7 +110,7 @@ def _stick_ends(start: float, y: float, v: float, grip: float, e: float, w: floa
     return low
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def slip_after(slip: float, speed: float, e: float, friction: float, ratio: float) -> float:
     """Return the slip (m/s) after an impact with this slip and normal speed (m/s, above zero).
 
@@ -142,7 +141,7 @@ def slip_after(slip: float, speed: float, e: float, friction: float, ratio: floa
     return sign * v * speed
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def stronge(
     ball: Floats,
     place: tuple[float, float],

@@ -1,0 +1,33 @@
+"""How hot functions are compiled: once, to machine code, kept on disk.
+
+One idea: numba counts references to arrays at every call and every row, with atomic operations
+that cost more than the arithmetic; a kernel that makes no array needs no counting, so it is
+compiled without (its caller keeps the arrays alive). One that makes arrays says so. Invariant:
+neither lets the compiler reorder floating-point arithmetic, and dividing by zero gives inf or nan.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeVar
+
+from numba import njit
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Function = TypeVar("Function", bound=Callable[..., object])
+
+
+def kernel(function: Function) -> Function:
+    """Compile a function that makes no array and returns none."""
+    compiled: Function = njit(cache=True, error_model="numpy", _nrt=False)(function)
+    return compiled
+
+
+def kernel_with_arrays(function: Function) -> Function:
+    """Compile a function that makes arrays, or calls one that does and is no kernel itself."""
+    compiled: Function = njit(cache=True, error_model="numpy", _nrt=True)(function)
+    return compiled
+
+
+__all__ = ["kernel", "kernel_with_arrays"]
