@@ -245,14 +245,15 @@ def _sunk(
     if reading.trace.flies:
         square = radius**2 - (z[point] - height) ** 2
         reach = np.where(square > 2.0 * OVERLAP * radius, np.sqrt(np.maximum(square, 0.0)), -inf)
-    reach = np.where(rows[:, state.N_UPRIGHT] != 0.0, radius, reach)
+    lies = z[point] <= radius  # above the bed a post, too, is no more than its ring at nose height
+    reach = np.where((rows[:, state.N_UPRIGHT] != 0.0) & lies, radius, reach)
     depth = _depths(rows, x[point], y[point], reach)
     depth[(depth > far) | ~_stands(reading, rows[:, state.N_PIN], times[moment[point]])] = 0.0
     return float(depth.max(initial=0.0))
 
 
 def _stands(reading: Reading, pins: Floats, times: Floats) -> Bools:
-    """Return whether noses stand at given times: pins do until they topple."""
+    """Return whether noses stand at given times: pins that were put up do until they topple."""
     log, known = reading.trace.log, reading.trace.pins
     falls = np.full(len(known.names) + 1, inf)  # the last one for noses that are no pins
     falls[[pin for pin in range(len(known.names)) if pin not in known.standing]] = -inf

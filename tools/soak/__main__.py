@@ -18,11 +18,11 @@ from time import perf_counter
 
 import numpy as np
 
-from engine.physics.simulate import warm_up
+from engine.physics.simulate import EVENT_CAP, warm_up
 from engine.physics.world import MODEL_NAMES
 from engine.variant.load import list_variants
 from tools.soak.strokes import Plan
-from tools.soak.watch import Tally, run
+from tools.soak.watch import Tally, run, soak
 
 MODELS = ("ball_ball", "ball_cushion", "motion")
 
@@ -37,9 +37,13 @@ def report(tally: Tally, seconds: float) -> dict[str, object]:
         "caps_reached": tally.caps,
         "largest_overlap_m": tally.overlap,
         "deepest_in_a_nose_m": tally.sunk,
+        "farthest_torn_m": tally.torn,
         "largest_energy_gain_j": tally.gain,
         "largest_momentum_error_kg_m_s": tally.momentum,
+        "flights": tally.flights,
+        "pins_felled": tally.felled,
         "most_events": tally.events,
+        "of_the_cap": f"{100.0 * tally.events / EVENT_CAP:.2f} %",
         "median_ms": round(float(np.median(times)), 3),
         "p99_ms": round(float(np.percentile(times, 99)), 3),
         "slowest_ms": round(tally.slowest[0], 3),
@@ -65,7 +69,7 @@ def _parser() -> argparse.ArgumentParser:
         option = f"--{what.replace('_', '-')}"
         parser.add_argument(option, choices=MODEL_NAMES[what], help="instead of the variant's own")
     parser.add_argument("--every-model", action="store_true", help="go through all in turn")
-    parser.add_argument("--workers", type=int, default=1, help="processes; -1: one a core")
+    parser.add_argument("--workers", type=int, default=-1, help="processes; one a core")
     parser.add_argument("--folder", type=Path, default=Path("soak"), help="where failing shots go")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     return parser
@@ -75,11 +79,14 @@ def main() -> int:
     """Run a soak, keep failing shots as records, print the figures; return 1 where one failed."""
     chosen = _parser().parse_args()
     warm_up()
+    soak(_plan(chosen), 0, 60)  # kernels of flights, too
     start = perf_counter()
 
     def progress(tally: Tally) -> None:
         if sys.stderr.isatty():
-            print(f"\r{tally.shots} shots, {len(tally.faults)} faults", end="", file=sys.stderr)
+            left = (perf_counter() - start) * (chosen.shots / tally.shots - 1.0)
+            told = f"{tally.shots} shots, {len(tally.faults)} faults, {left:.0f} s to go "
+            print(f"\r{told}", end="", file=sys.stderr, flush=True)
 
     tally = run(_plan(chosen), chosen.shots, chosen.workers, progress)
     if sys.stderr.isatty():

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 GAPS = (0.0, 1e-9, 1e-6, 2e-5, 1e-4)
 """How far (m) neighbours in a crowd stand from each other."""
 
+FLYING = 0.5
+"""The share of strokes with a raised cue after which balls may fly, whatever the variant says."""
+
 LOOSE = 5.7e-5
 """How far (m) the balls of a loosened rack stand from each other at most."""
 
@@ -71,6 +74,8 @@ def _opening(name: str) -> Layout:
 @cache
 def _world(name: str, models: tuple[tuple[str, str], ...]) -> World:
     world = _loaded(name).world
+    if not models:
+        return world
     return replace(world, models=replace(world.models, **dict(models)))
 
 
@@ -90,7 +95,7 @@ def make_stroke(plan: Plan, number: int) -> Stroke:
     """Return the shot of this number."""
     chance = np.random.default_rng([plan.seed, number])
     name = plan.variants[number % len(plan.variants)]
-    variant, world = _loaded(name), _world(name, _models(plan, number))
+    variant = _loaded(name)
     ball = variant.cue_balls[0]
     scene = ("break", "strewn", "crowd")[int(chance.integers(3))]
     if scene == "break":
@@ -98,6 +103,10 @@ def make_stroke(plan: Plan, number: int) -> Stroke:
     else:
         layout = _strewn(chance, variant, crowd=scene == "crowd")
         strike = _strike(chance, chance.uniform(0.0, 2.0 * pi))
+    models = dict(_models(plan, number))
+    if chance.uniform() < FLYING and strike.elevation > 0.0:
+        models.setdefault("flight", "ballistic")
+    world = _world(name, tuple(sorted(models.items())))
     return Stroke(number, variant, world, scene, layout, ball, as_written(strike))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from time import thread_time
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,10 @@ RUN = 250
 """Shots dealt to a worker at once."""
 
 
+FIGURES = ("overlap", "sunk", "torn", "gain", "momentum")
+"""What the monitor finds of which the worst of all shots is told."""
+
+
 @dataclass(frozen=True, slots=True)
 class Fault:
     """A shot that broke a rule, and its record."""
@@ -50,6 +54,9 @@ class Tally:
     sunk: float = 0.0
     gain: float = 0.0
     momentum: float = 0.0
+    torn: float = 0.0
+    flights: int = 0
+    felled: int = 0
     events: int = 0
     slowest: tuple[float, int, str] = (0.0, -1, "")
     times: list[float] = field(default_factory=list)
@@ -58,9 +65,9 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Take in what came of other shots."""
-        self.shots += other.shots
-        self.caps += other.caps
-        for name in ("overlap", "sunk", "gain", "momentum", "events", "slowest"):
+        for name in ("shots", "caps", "flights", "felled"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        for name in (*FIGURES, "events", "slowest"):
             setattr(self, name, max(getattr(self, name), getattr(other, name)))
         self.times += other.times
         self.faults += other.faults
@@ -97,8 +104,10 @@ def _played(stroke: Stroke, tally: Tally) -> tuple[str, ...]:
     tally.times.append(spent)
     tally.slowest = max(tally.slowest, (spent, stroke.number, stroke.variant.name))
     tally.events = max(tally.events, len(trace.log))
-    found = examine(trace, stroke.world.table)
-    for name in ("overlap", "sunk", "gain", "momentum"):
+    tally.flights += trace.flies
+    tally.felled += int((trace.log[:, state.E_KIND] == state.TOPPLED).sum())
+    found = examine(trace, stroke.world)
+    for name in FIGURES:
         setattr(tally, name, max(getattr(tally, name), getattr(found, name)))
     return (*found.faults(), *_ends(stroke, trace))
 
@@ -125,9 +134,9 @@ def record_of(stroke: Stroke, words: Sequence[str] = ()) -> str:
         on_table=frozenset(stroke.layout),
         rest=Rest(positions=stroke.layout),
     )
-    own = stroke.world.models == variant.world.models
-    told = "" if own else f" (models {stroke.world.models.ball_ball}, "
-    told += "" if own else f"{stroke.world.models.ball_cushion})"
+    names = asdict(variant.world.models)
+    other = [name for what, name in asdict(stroke.world.models).items() if name != names[what]]
+    told = f" (models {', '.join(other)})" if other else ""
     record: dict[str, object] = {
         "format": 1,
         "variant": variant.name,
