@@ -90,7 +90,7 @@ class Models:
     ball_cushion: str = "han-2005"
     strike: str = "point"
     pocket: str = "drop-edge"
-    flight: str = "none"
+    flight: str = "ballistic"
     cluster: str = "hertz"
 
 
@@ -102,7 +102,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "ball_cushion": ("han-2005", "mathavan-2010", "restitution", "stronge"),
         "strike": ("point",),
         "pocket": ("drop-edge", "rim-lip"),
-        "flight": ("none", "ballistic"),
+        "flight": ("ballistic", "none"),
         "cluster": ("hertz", "simultaneous", "sequential"),
     }
 )

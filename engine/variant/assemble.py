@@ -228,7 +228,13 @@ def _models(spec: VariantSpec, report: Report) -> Models:
 
 def _cloth(spec: VariantSpec) -> Cloth:
     cloth = spec.cloth
-    return Cloth(cloth.sliding, cloth.rolling, cloth.spin_deceleration, cloth.threshold)
+    return Cloth(
+        sliding=cloth.sliding,
+        rolling=cloth.rolling,
+        spin_deceleration=cloth.spin_deceleration,
+        threshold=cloth.threshold,
+        bounce=cloth.bounce,
+    )
 
 
 def _contact(spec: VariantSpec) -> Contact:

@@ -323,13 +323,14 @@ class PinSet(Shape):
 
 
 class ClothShape(Shape):
-    """Friction of the bed."""
+    """Friction of the bed, and its restitution."""
 
     source: str = ""
     colour: Rgb
     sliding: Factor
     rolling: Factor
     spin_deceleration: Factor
+    bounce: Fraction = 0.5
     threshold: Factor = 1.5
 
 
