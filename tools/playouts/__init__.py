@@ -1,0 +1,1 @@
+"""Matches of random shots through the referee, with no physics."""

@@ -1,0 +1,196 @@
+"""One match from its first shot to its end, or as long as it may last.
+
+One idea: match number k of a variant and a seed is always the same, whatever else is played.
+Invariant: a finding is a record of the shot, which `python -m engine golden` judges again.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import tomli_w
+
+from engine.game.match import Match, next_game, start_match
+from engine.game.referee import judge_shot, take_choice
+from engine.records.say import expectation
+from engine.records.write import before_table, shot_table
+from rulelang.evaluate import OutOfFuel, RuleClash
+from tools.playouts.strokes import good_shot, silly_shot
+from tools.playouts.watch import faults, same, shuffled
+
+if TYPE_CHECKING:
+    from engine.game.shot import Shot
+    from engine.game.situation import Situation
+    from engine.game.verdict import Verdict
+    from engine.variant.variant import Value, Variant
+
+TRIES = 16
+"""So many strokes are made up where one is to score; the last is played if none does."""
+EXPLAINED = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What is wrong, and the shot as a record."""
+
+    variant: str
+    match: int
+    shot: int
+    what: str
+    record: str
+
+
+@dataclass(slots=True)
+class Tally:
+    """What came of the matches played; `keen` are those in which half the shots score."""
+
+    matches: int = 0
+    shots: int = 0
+    ended: int = 0
+    keen: int = 0
+    keen_ended: int = 0
+    scored: int = 0
+    longest: int = 0
+    findings: list[Finding] = field(default_factory=list)
+
+    def add(self, other: Tally) -> None:
+        """Add what came of other matches."""
+        for name in ("matches", "shots", "ended", "keen", "keen_ended", "scored"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        self.longest = max(self.longest, other.longest)
+        self.findings += other.findings
+
+
+def playout(variant: Variant, number: int, seed: int, most: int) -> Tally:
+    """Play one match of at most `most` shots."""
+    rng = random.Random(f"{seed} {variant.name} {number}")
+    keen, places = number % 2 == 0, rng.random() < 0.2
+    mixed = replace(variant, program=shuffled(variant.program, rng))
+    fewest, fullest, _ = variant.players
+    match = start_match(
+        variant, rng.randint(fewest, fullest), _settings(variant, rng), rng.randrange(10**6)
+    )
+    tally = Tally(matches=1, keen=int(keen))
+    while tally.shots < most:
+        situation = match.situation
+        shot = _shot(variant, situation, rng, keen=keen, places=places, tally=tally)
+        tally.shots += 1
+        verdict, wrong = _judged(variant, mixed, situation, shot, rng)
+        if wrong:
+            what = "; ".join(wrong)
+            record = _record(match, shot, verdict, what)
+            tally.findings.append(Finding(variant.name, number, tally.shots, what, record))
+        if verdict is None or wrong:
+            break
+        match = replace(match, situation=verdict.after)
+        if verdict.after.over:
+            if verdict.after.match_over or not _goes_on(variant):
+                tally.ended, tally.keen_ended = 1, int(keen)
+                break
+            match = next_game(match)
+    tally.longest = tally.shots
+    return tally
+
+
+def _judged(
+    variant: Variant, mixed: Variant, situation: Situation, shot: Shot, rng: random.Random
+) -> tuple[Verdict | None, list[str]]:
+    explain = rng.random() < EXPLAINED
+    try:
+        verdict = judge_shot(variant, situation, shot, explain=explain)
+        wrong = list(faults(variant, situation, shot, verdict))
+        wrong += same(verdict, judge_shot(mixed, situation, shot, explain=False))
+        tuple(verdict.explanation)
+    except (RuleClash, OutOfFuel) as error:
+        return None, [str(error) or type(error).__name__]
+    except Exception as error:  # noqa: BLE001 - a bug is a finding, told with its shot
+        return None, [f"{type(error).__name__}: {error}"]
+    return verdict, wrong
+
+
+def _shot(
+    variant: Variant,
+    situation: Situation,
+    rng: random.Random,
+    *,
+    keen: bool,
+    places: bool,
+    tally: Tally,
+) -> Shot:
+    """Return the next shot: a choice alone, or a stroke after the choice."""
+    from engine.game.shot import Shot  # noqa: PLC0415
+
+    choice = None
+    if situation.offers:
+        choice = rng.choice(situation.options)
+        balls = sorted(situation.on_table)
+        ball = rng.choice(balls) if balls else None
+        alone = Shot(choice=choice, call=replace(Shot().call, ball=ball))
+        if rng.random() < 0.7:
+            return alone
+        chosen = take_choice(variant, situation, alone, explain=False).after
+        if chosen.over or chosen.offers:
+            return alone
+        stroke = silly_shot(variant, chosen, rng, places=places, choice=choice)
+        return replace(stroke, call=replace(stroke.call, ball=ball))
+    if not keen or rng.random() < 0.5:
+        return silly_shot(variant, situation, rng, places=places)
+    for _ in range(TRIES):
+        shot = good_shot(variant, situation, rng, places=places)
+        if _scores(variant, situation, shot):
+            tally.scored += 1
+            break
+    return shot
+
+
+def _scores(variant: Variant, situation: Situation, shot: Shot) -> bool:
+    """Tell whether a shot wins, scores or at least keeps the table."""
+    try:
+        verdict = judge_shot(variant, situation, shot, explain=False)
+    except Exception:  # noqa: BLE001 - the match will meet it, and tell
+        return True
+    if verdict.fouls:
+        return False
+    me = situation.shooter
+    if verdict.after.over:
+        return verdict.after.winner == me
+    return verdict.points[me - 1] > 0 or verdict.after.shooter == me
+
+
+def _goes_on(variant: Variant) -> bool:
+    """Tell whether the script says when a match of several games is over."""
+    return bool(variant.program.compiled.get("game end"))
+
+
+def _settings(variant: Variant, rng: random.Random) -> dict[str, Value]:
+    """Return house rules by lot: half of them as usual, numbers low enough to come to an end."""
+    chosen: dict[str, Value] = {}
+    for name, setting in variant.settings.items():
+        default = setting.default
+        if rng.random() < 0.5:
+            chosen[name] = default
+        elif setting.choices:
+            chosen[name] = rng.choice(setting.choices)
+        elif isinstance(default, bool):
+            chosen[name] = rng.random() < 0.5
+        elif isinstance(default, int):
+            low = 0 if setting.least is None else setting.least
+            high = max(low, default if setting.most is None else min(default, setting.most))
+            chosen[name] = rng.randint(low, high)
+    return chosen
+
+
+def _record(match: Match, shot: Shot, verdict: Verdict | None, what: str) -> str:
+    """Return the shot as a record that expects what the referee said, if he said anything."""
+    expect = {} if verdict is None else expectation(verdict, match.situation)
+    record: dict[str, object] = {
+        "format": 1,
+        "variant": match.variant.name,
+        "title": what[:200].replace("\n", " "),
+        "settings": dict(match.settings),
+        "before": before_table(match.variant, match.situation),
+        "shot": [{**shot_table(shot), "expect": expect}],
+    }
+    return tomli_w.dumps({key: value for key, value in record.items() if value != {}})
