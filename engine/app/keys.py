@@ -126,6 +126,7 @@ BINDINGS: tuple[Binding, ...] = (
     Binding(
         "zoom", ("=", "-"), "+ / -", "nearer, farther (also the mouse wheel)", VIEW, ordered=True
     ),
+    Binding("sound", ("m",), "M", "sound on or off", VIEW),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
     Binding("help", ("f1",), "F1", "this page", GAME),
     Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),

@@ -21,6 +21,7 @@ from engine.app.pen import Pen
 from engine.app.screen import Screen
 from engine.app.session import SHOWING, Mode
 from engine.app.showing import Showing
+from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time, take_up
 from engine.app.view import View, camera_of, stroke_seen
@@ -57,6 +58,7 @@ class Loop:
     renderer: str = "scanline"
     rate: int = 60
     text: float = 1.0
+    speaker: Speaker = field(default_factory=Speaker)
     view: View = field(default_factory=View)
     page: Page | None = None
     scroll: int = 0
@@ -98,7 +100,9 @@ class Loop:
         else:
             self._look_at_files()
             self._take(events, seconds)
-            self._set(pass_time(self.session, seconds))
+            before = self.session
+            self._set(pass_time(before, seconds))
+            self.speaker.follow(before, self.session)
             self.draw()
         self.window.show()
         self.frames += 1
@@ -188,6 +192,9 @@ class Loop:
             case "text":
                 now = TEXT_SIZES.index(self.text) if self.text in TEXT_SIZES else -1
                 self.text = TEXT_SIZES[(now + 1) % len(TEXT_SIZES)]
+            case "sound":
+                self.speaker.muted = not self.speaker.muted
+                self._note("sound off" if self.speaker.muted else "sound on")
             case "help" | "why" | "menu":
                 self.page, self.scroll = Page[ask.action.upper()], 0
             case "save":

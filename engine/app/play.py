@@ -266,6 +266,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.app.loop import Loop  # noqa: PLC0415
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
+    from engine.app.speaker import LOUD, Speaker  # noqa: PLC0415
     from engine.app.steps import begin  # noqa: PLC0415
     from engine.app.watching import watch_variant  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
@@ -287,5 +288,6 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
         renderer=settings.renderer,
         rate=settings.rate,
         text=settings.text,
+        speaker=Speaker(settings.volume or LOUD, muted=not settings.volume),
         controls=Controls(Keyboard(settings.keymap)),
     )

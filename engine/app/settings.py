@@ -37,6 +37,7 @@ class Settings(BaseModel):
     width: int = Field(1280, ge=480, le=7680)
     height: int = Field(720, ge=320, le=4320)
     text: float = Field(1.0, ge=0.5, le=3.0)
+    volume: float = Field(0.7, ge=0.0, le=1.0)
     aid: Literal["off", "line", "ghost", "all"] = "ghost"
     keys: dict[str, str | list[str]] = Field(default_factory=dict)
 
@@ -83,10 +84,8 @@ def read_settings(path: Path | None = None) -> Settings:
 
 def _floats(raw: dict[str, object]) -> dict[str, object]:
     """Let a whole number stand where a fraction may."""
-    scale = raw.get("text")
-    if isinstance(scale, int) and not isinstance(scale, bool):
-        return raw | {"text": float(scale)}
-    return raw
+    whole = {key: raw[key] for key in ("text", "volume") if type(raw.get(key)) is int}
+    return raw | {key: float(str(number)) for key, number in whole.items()}
 
 
 def _complaints(path: Path, text: str, trouble: ValidationError) -> list[str]:

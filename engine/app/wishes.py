@@ -31,7 +31,18 @@ PLAIN: dict[str, commands.Command] = {
     "next": commands.NextGame(),
     "aid": commands.ChangeAid(),
 }
-WINDOW = ("wireframe", "painter", "scanline", "camera", "text", "help", "save", "why", "menu")
+WINDOW = (
+    "wireframe",
+    "painter",
+    "scanline",
+    "camera",
+    "sound",
+    "text",
+    "help",
+    "save",
+    "why",
+    "menu",
+)
 
 
 def wishes_of(action: str, *, shift: bool = False) -> list[Wish]:
