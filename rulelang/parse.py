@@ -19,6 +19,7 @@ from lark import Lark
 from lark.exceptions import UnexpectedInput
 
 from rulelang import building
+from rulelang.hasten import hasten, quick_parse
 from rulelang.indent import BadDedent, Indentation
 from rulelang.surface import explain, scan
 from rulelang.syntax import Script
@@ -48,7 +49,7 @@ _BUILDING = Lock()
 
 @cache
 def _parser(folder: str | None, *, strict: bool = False) -> Lark:
-    return Lark(
+    made = Lark(
         _GRAMMAR.read_text(encoding="utf-8"),
         parser="lalr",
         lexer="basic",
@@ -58,6 +59,8 @@ def _parser(folder: str | None, *, strict: bool = False) -> Lark:
         strict=strict,
         cache=_store(folder),
     )
+    hasten(made)
+    return made
 
 
 def grammar(folder: Path | None = None, *, strict: bool = False) -> Lark:
@@ -90,7 +93,7 @@ def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, li
 
 def _try(parser: Lark, text: str) -> Any:
     try:
-        return parser.parse(text)
+        return quick_parse(parser, text)
     except (UnexpectedInput, BadDedent) as trouble:
         return trouble
 

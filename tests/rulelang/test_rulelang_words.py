@@ -45,7 +45,8 @@ def test_the_example_of_a_phrase_compiles_without_a_warning(phrase: Phrase) -> N
 
 
 def test_every_word_of_the_grammar_is_in_an_example() -> None:
-    said = " ".join([one.needs + one.example for one in PHRASES] + [told for _, told in EVENT_PHRASES])
+    examples = [one.needs + one.example for one in PHRASES]
+    said = " ".join(examples + [told for _, told in EVENT_PHRASES])
     assert grammar_words() - set(re.findall(r"[a-z]+", said)) == set()
 
 

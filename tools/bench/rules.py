@@ -6,8 +6,11 @@ events to decisions, with the explanation off and on.
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from functools import cache, partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -31,6 +34,7 @@ ROUNDS = 15
 
 def rows() -> Iterator[dict[str, object]]:
     """Yield a row for each kind of work; times in microseconds."""
+    yield from check_rows()
     load = cache(load_variant)
     for game in (one.name for one in list_variants()):
         yield _row(f"check {game}, files and script", _timed(partial(check_variant, game)), 1)
@@ -48,6 +52,39 @@ def rows() -> Iterator[dict[str, object]]:
             yield _row(name, _timed(partial(_judge_all, shots, explain=explain)), len(shots))
         texts = [format_event(event) for _, _, shot in shots for event in shot.events or ()]
         yield _row(f"read an event of {game}", _timed(partial(_parse_all, texts)), len(texts))
+
+
+def check_rows() -> Iterator[dict[str, object]]:
+    """Yield rows on checking a script of 300 lines: warm, in a process of its own, and without."""
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "long.toml").write_text('extends = "snooker"\n', encoding="utf-8")
+        (folder / "long.rules").write_text(long_script(300), encoding="utf-8")
+        grammar = folder / "grammar"
+        warm = partial(check_variant, folder / "long.toml", grammar)
+        if warm():
+            raise ValueError("the long script has mistakes")
+        yield _row("check-warm, 300 lines", _timed(warm), 1)
+        check = (
+            "from pathlib import Path; from engine.variant.load import check_variant;"
+            f"check_variant(Path({str(folder / 'long.toml')!r}), Path({str(grammar)!r}))"
+        )
+        for title, code in (("check-cold, 300 lines", check), ("a bare interpreter", "pass")):
+            command = [sys.executable, "-c", code]
+            run = partial(subprocess.run, command, cwd=ROOT, check=True)
+            yield _row(title, _timed(run), 1)
+
+
+def long_script(lines: int) -> str:
+    """Return the longest shipped script, its fouls said again until it has so many lines."""
+    source = (ROOT / "variants" / "snooker.rules").read_text(encoding="utf-8")
+    section = source[source.index("\nfouls:") : source.index("\npoints:")]
+    for number in range(1, lines):
+        for line in section.replace('rule "', f'rule "{number} ').split("\n"):
+            if source.count("\n") >= lines and line.startswith("    rule"):
+                return source
+            source += line + "\n"
+    return source
 
 
 def _judge_all(shots: list[tuple[Variant, Situation, Shot]], *, explain: bool) -> None:
