@@ -8,7 +8,7 @@ neither lets the compiler reorder floating-point arithmetic, and dividing by zer
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from numba import njit
 
@@ -20,13 +20,18 @@ if TYPE_CHECKING:
 
 def kernel(function: Function) -> Function:
     """Compile a function that makes no array and returns none."""
-    compiled: Function = njit(cache=True, error_model="numpy", _nrt=False)(function)
-    return compiled
+    return _compiled(function, counting=False)
 
 
 def kernel_with_arrays(function: Function) -> Function:
     """Compile a function that makes arrays, or calls one that does and is no kernel itself."""
-    compiled: Function = njit(cache=True, error_model="numpy", _nrt=True)(function)
+    return _compiled(function, counting=True)
+
+
+def _compiled(function: Function, *, counting: bool) -> Function:
+    # the last is not in the types that numba tells of itself
+    options: dict[str, Any] = {"cache": True, "error_model": "numpy", "_nrt": counting}
+    compiled: Function = njit(**options)(function)
     return compiled
 
 

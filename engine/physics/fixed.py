@@ -31,10 +31,12 @@ from engine.physics.state import (
     AX,
     AY,
     CAP,
+    DONE,
     DROPPED,
     END,
     EVENTS,
     FAST,
+    FULL,
     GONE,
     N_CURVED,
     N_DX,
@@ -45,6 +47,7 @@ from engine.physics.state import (
     N_X,
     N_Y,
     NOSE,
+    PAUSED,
     PIECES,
     RADIUS,
     REACH,
@@ -53,6 +56,7 @@ from engine.physics.state import (
     SLIDE,
     STARTED,
     STOPPED,
+    STORM,
     T0,
     TOUCHING,
     VX,
@@ -60,7 +64,6 @@ from engine.physics.state import (
     X,
     Y,
 )
-from engine.physics.stepwise import DONE, FULL, PAUSED, STORM
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

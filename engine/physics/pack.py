@@ -155,7 +155,7 @@ def give_rubber(world: World, noses: NDArray[np.float64], owners: tuple[Owner, .
         if owner.pin is not None:
             number = pins[owner.pin]
             pin = table.pins[number]
-            row[state.N_PIN], row[state.N_UPRIGHT] = number, 1.0
+            row[state.N_PIN], row[state.N_UPRIGHT] = number, pin.height
             row[state.N_E], row[state.N_MODEL] = pin.restitution, state.RESTITUTION
             continue
         if owner.cushion is not None:
@@ -285,17 +285,36 @@ def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArra
 
     Raises ValueError for a layout that cannot be.
     """
-    unknown = [ball for ball in layout if ball not in world.index]
+    index, known = world.index, world.world.balls
+    unknown = layout.keys() - index.keys()
     if unknown:
-        message = f"the layout names balls that the world has not: {unknown}"
+        message = f"the layout names balls that the world has not: {sorted(unknown)}"
         raise ValueError(message)
-    chosen = sorted(world.index[ball] for ball in layout)
-    balls = tuple(world.world.balls[i] for i in chosen)
-    rows = world.rows[chosen]
-    for row, ball in zip(rows, balls, strict=True):
-        row[state.X], row[state.Y] = layout[ball.id]
-    _check_places(balls, rows)
+    chosen = sorted([index[ball] for ball in layout])
+    balls = tuple([known[i] for i in chosen])
+    rows = world.rows.take(chosen, axis=0)
+    rows[:, state.X : state.Y + 1] = [layout[ball.id] for ball in balls]
+    if len(balls) > FEW:
+        _check_places(balls, rows)
+    else:
+        _check_few(balls, rows)
     return balls, rows
+
+
+FEW = 4
+"""So few balls are looked through one by one."""
+
+
+def _check_few(balls: tuple[Ball, ...], rows: NDArray[np.float64]) -> None:
+    places = rows[:, state.X : state.Y + 1].tolist()
+    for i, ((x, y), ball) in enumerate(zip(places, balls, strict=True)):
+        if not isfinite(x + y):
+            raise ValueError("a ball's place must be two finite numbers")
+        for (u, v), other in zip(places[:i], balls[:i], strict=True):
+            need = 2.0 * sqrt(ball.radius * other.radius) - OVERLAP
+            if (x - u) ** 2 + (y - v) ** 2 < need * need:
+                message = f"balls overlap: {other.id} and {ball.id}"
+                raise ValueError(message)
 
 
 def nose_reach(radius: float, nose_height: float) -> float:

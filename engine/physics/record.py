@@ -50,6 +50,7 @@ from engine.physics.state import (
     P_X,
     P_Y,
     P_Z,
+    PIECE_WIDTH,
     PIECES,
     REST,
     ROLL,
@@ -92,15 +93,19 @@ def move(
 @kernel
 def close(ball: Floats, kind: int, pieces: Floats, counts: Ints, i: int, now: float) -> None:
     """Write the ball's piece, which ends `now`, into the trace; an empty one is no piece."""
-    if now <= ball[T0]:
-        return
-    row = pieces[counts[PIECES]]
-    row[P_BALL], row[P_T0], row[P_T1], row[P_KIND] = i, ball[T0], now, kind
+    if now > ball[T0]:
+        write(ball, kind, pieces[counts[PIECES]], i, now)
+        counts[PIECES] += 1
+
+
+@kernel
+def write(ball: Floats, kind: int, row: Floats, i: int, end: float) -> None:
+    """Fill a row (P_*) with the ball's piece."""
+    row[P_BALL], row[P_T0], row[P_T1], row[P_KIND] = i, ball[T0], end, kind
     row[P_X], row[P_Y], row[P_VX], row[P_VY] = ball[X], ball[Y], ball[VX], ball[VY]
     row[P_WX], row[P_WY], row[P_WZ] = ball[WX], ball[WY], ball[WZ]
     row[P_AX], row[P_AY], row[P_BX], row[P_BY] = ball[AX], ball[AY], ball[BX], ball[BY]
     row[P_Z], row[P_VZ] = ball[Z], ball[VZ]
-    counts[PIECES] += 1
 
 
 @kernel
@@ -176,7 +181,33 @@ def change(
         note(events, counts, STOPPED, end, who, -1.0, 0.0)
 
 
+@kernel
+def arrange(
+    balls: Floats, kinds: Ints, pieces: Floats, counts: Ints, now: float, out: Floats
+) -> int:
+    """Fill `out` with all pieces by ball and time, those still open cut off `now`; return how many.
+
+    A ball that is gone has no open piece, save where it never had another.
+    """
+    n, written = balls.shape[0], counts[PIECES]
+    row = 0
+    for i in range(n):
+        before = row
+        for p in range(written):
+            if int(pieces[p, P_BALL]) == i:
+                for k in range(PIECE_WIDTH):
+                    out[row, k] = pieces[p, k]
+                row += 1
+        if kinds[i] == GONE and row > before:
+            continue
+        end = balls[i, T0] if kinds[i] == GONE else now
+        write(balls[i], kinds[i], out[row], i, end)
+        row += 1
+    return row
+
+
 __all__ = [
+    "arrange",
     "change",
     "close",
     "drop",
@@ -184,4 +215,5 @@ __all__ = [
     "into",
     "move",
     "note",
+    "write",
 ]

@@ -7,10 +7,11 @@ input, same bits, whatever the chunks. The kernels are loaded on first use, not 
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cache
 from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -81,15 +82,15 @@ class Simulation:
         if world.models.solver in FIXED:
             refuse_rare(self._packed)
         self._balls, self._rows = place_balls(self._packed, layout)
-        self._kinds = np.full(len(self._balls), state.REST, dtype=np.int64)
         n = len(self._balls)
-        self._pairs = np.full((n, n), inf)
+        self._kinds = np.zeros(n, dtype=np.int64)  # at rest
+        self._pairs = np.empty((n, n))
         self._foreseen = np.zeros((n, state.FORESEEN_WIDTH))
-        self._foreseen[:, :3] = inf
-        self._pieces = np.empty((2 * n * n + 256, state.PIECE_WIDTH))
-        self._events = np.empty((2 * n * n + 256, state.EVENT_WIDTH))
-        self._counts = np.array([0, 0, 0, EVENT_CAP, 0, 0, 0], dtype=np.int64)
-        self._clock = np.array([0.0, 0.0, inf])
+        self._pieces, self._events = _buffers(n)
+        self._counts = np.zeros(state.COUNTS_WIDTH, dtype=np.int64)
+        self._counts[state.CAP] = EVENT_CAP
+        self._clock = np.zeros(state.CLOCK_WIDTH)
+        self._clock[state.C_ALARM] = inf
         self._noses = self._packed.noses
         self._memory: dict[str, object] = {}
         if world.table.pins:
@@ -101,8 +102,8 @@ class Simulation:
         self._strike_one()
 
     def _strike_one(self) -> None:
-        i = next(k for k, ball in enumerate(self._balls) if ball.id == self._ball)
         world = self._world
+        i = self._balls.index(world.balls[self._packed.index[self._ball]])
         flies = world.models.flight == "ballistic" and world.models.solver == "stepwise"
         motion = strike_ball(self._balls[i], world.cue, world.cloth, self._strike, flies=flies)
         row = self._rows[i]
@@ -113,19 +114,17 @@ class Simulation:
 
     def advance(self, until: float) -> None:
         """Carry out all events up to `until` (s)."""
-        from engine.physics.stepwise import ASK, DONE, FULL, STORM  # noqa: PLC0415  numba
-
         while not self.finished:
             answer = self._run(until)
-            if answer == STORM:
+            if answer == state.STORM:
                 raise EventStormError(self._layout, self._ball, self._strike)
-            if answer == FULL:
+            if answer == state.FULL:
                 self._make_room(max(len(self._pieces), len(self._events)))
                 continue
-            if answer == ASK:
+            if answer == state.ASK:
                 self._answer()
                 continue
-            self.finished = answer == DONE
+            self.finished = answer == state.DONE
             if not self.finished:
                 self._clock[1] = max(self._clock[1], until)
                 return
@@ -174,30 +173,24 @@ class Simulation:
         )
 
     def _run(self, until: float) -> int:
-        world = self._packed
+        world, solver = self._packed, self._world.models.solver
         arrays = (self._rows, self._kinds, world.numbers, self._noses, world.drops)
         record = (self._pieces, self._events, self._counts, self._clock, until)
-        from engine.physics.stepwise import DOWN  # noqa: PLC0415  numba
-
-        run, run_fixed = _kernels()
-        solver = self._world.models.solver
-        if solver == "stepwise":
-            if state.FLY in self._kinds:
-                answer = _flight()(*arrays, self._pairs, self._foreseen, *record)
-                if answer != DOWN:
-                    return int(answer)
-            return int(run(*arrays, self._pairs, self._foreseen, *record))
-        return int(run_fixed(*arrays, *record, self._step, FIXED.index(solver)))
+        if solver != "stepwise":
+            return int(_fixed()(*arrays, *record, self._step, FIXED.index(solver)))
+        run = _kernel()
+        if state.FLY in self._kinds.tolist():
+            answer = _flight()(*arrays, self._pairs, self._foreseen, *record)
+            if answer != state.DOWN:
+                return int(answer)
+        return int(run(*arrays, self._pairs, self._foreseen, *record))
 
     def trace(self) -> Trace:
         """Return the shot as far as it has been carried out."""
         now = float(self._clock[0] if self.finished else self._clock[1])
-        closed = self._pieces[: self._counts[0]]
-        pieces = np.concatenate([closed, self._open_pieces(now)])
-        order = np.lexsort((pieces[:, state.P_T0], pieces[:, state.P_BALL]))
         return Trace(
             balls=self._balls,
-            pieces=pieces[order],
+            pieces=self._arranged(now),
             log=self._events[: self._counts[1]].copy(),
             owners=self._packed.owners,
             pockets=self._packed.drop_ids,
@@ -207,45 +200,67 @@ class Simulation:
             pins=self._pins(),
         )
 
+    def give_back(self) -> None:
+        """Let the next shot have this one's memory: nothing may be asked of this one any more."""
+        if len(_spare) < SPARE and len(self._pieces) <= LARGEST:
+            _spare.append((self._pieces, self._events))
+
     def _pins(self) -> PinTrace:
         pins = self._memory.get(MEMORY)
         return pins.trace() if isinstance(pins, Felling) else NO_PINS
 
-    def _open_pieces(self, now: float) -> Floats:
-        """Return the pieces that have not ended, cut off `now`."""
-        gone = self._kinds == state.GONE
-        rows = self._rows
-        pieces = np.empty((len(rows), state.PIECE_WIDTH))
-        pieces[:, state.P_BALL], pieces[:, state.P_KIND] = np.arange(len(rows)), self._kinds
-        pieces[:, state.P_T0] = rows[:, state.T0]
-        pieces[:, state.P_T1] = np.where(gone, rows[:, state.T0], now)
-        pieces[:, state.P_X : state.P_WZ + 1] = rows[:, state.X : state.WZ + 1]
-        pieces[:, state.P_AX : state.P_BY + 1] = rows[:, state.AX : state.BY + 1]
-        pieces[:, state.P_Z], pieces[:, state.P_VZ] = rows[:, state.Z], rows[:, state.VZ]
-        if not gone.any():
-            return pieces
-        done = np.isin(np.arange(len(rows)), self._pieces[: self._counts[0], state.P_BALL])
-        return pieces[~(gone & done)]
+    def _arranged(self, now: float) -> Floats:
+        """Return all pieces (m, 17) by ball and time, those that have not ended cut off `now`."""
+        from engine.physics.record import arrange  # noqa: PLC0415  numba
+
+        closed = int(self._counts[state.PIECES])
+        out = np.empty((closed + len(self._rows), state.PIECE_WIDTH))
+        count = arrange(self._rows, self._kinds, self._pieces, self._counts, now, out)
+        return out[:count]
+
+
+SPARE, LARGEST = 4, 4096
+_spare: list[tuple[Floats, Floats]] = []
+"""Rows for pieces and events that shots are done with; fresh ones cost more than a small shot."""
+
+
+def _buffers(balls: int) -> tuple[Floats, Floats]:
+    """Return rows for the pieces and the events of a shot of so many balls, with no values yet."""
+    rows = 2 * balls * balls + 256
+    with suppress(IndexError):
+        pieces, events = _spare.pop()
+        if len(pieces) >= rows and len(events) >= rows:
+            return pieces, events
+    return np.empty((rows, state.PIECE_WIDTH)), np.empty((rows, state.EVENT_WIDTH))
 
 
 @cache
-def _kernels() -> tuple[Callable[..., int], Callable[..., int]]:
-    """Return the solvers' kernels, once what was compiled from other sources is dropped."""
+def _kernel() -> Callable[..., int]:
+    """Return the solver's kernel, once what was compiled from other sources is dropped."""
     from engine.kernel_cache import drop_stale  # noqa: PLC0415  numba
-    from engine.physics.fixed import run_fixed  # noqa: PLC0415  numba
     from engine.physics.stepwise import run  # noqa: PLC0415  numba
 
-    drop_stale(Path(str(run.stats.cache_path)), Path(__file__).parent)
-    return run, run_fixed
+    kernel: Any = run
+    drop_stale(Path(str(kernel.stats.cache_path)), Path(__file__).parent)
+    return run
+
+
+@cache
+def _fixed() -> Callable[..., int]:
+    """Return the kernel of the solvers with a step."""
+    _kernel()
+    from engine.physics.fixed import run_fixed  # noqa: PLC0415  numba
+
+    return run_fixed
 
 
 @cache
 def _flight() -> Callable[..., int]:
-    """Return the kernel of shots that leave the bed; `_kernels` has been asked before."""
+    """Return the kernel of shots that leave the bed."""
+    _kernel()
     from engine.physics.flight import run_flying  # noqa: PLC0415  numba
 
-    kernel: Callable[..., int] = run_flying
-    return kernel
+    return run_flying
 
 
 def simulate(
@@ -264,7 +279,9 @@ def simulate(
     """
     simulation = Simulation(world, layout, ball, strike, step=step, fallen=fallen)
     simulation.advance(inf)
-    return simulation.trace()
+    trace = simulation.trace()
+    simulation.give_back()
+    return trace
 
 
 def warm_up(progress: Callable[[str], None] | None = None) -> None:

@@ -75,7 +75,7 @@ NOSE_WIDTH = 22
 """A nose: straight from (X, Y) along (DX, DY) for SIZE, or an arc about (X, Y) of radius SIZE
 (negative where the bed lies inside) whose middle looks along (DX, DY) and whose half sweep is
 SPAN; and its bounding box. Then its rubber: restitution with slope and knee, friction, model;
-whether it is an upright body, which a ball meets at its equator, and not a nose at nose height; and
+how tall (m) an upright body is, which a ball meets at its equator, 0 for a nose at nose height; and
 the number of the pin it is, or -1. Last the rest of its rubber: the square's factor and the least
 of restitution, the slope of friction, and the frequencies' ratio of `stronge`."""
 
@@ -88,6 +88,10 @@ C_TIME, C_UNTIL, C_ALARM = range(3)
 CLOCK_WIDTH = 3
 """The clock: time of the last event, time up to which was asked, and the time at which whoever
 resolves rare events wants to be asked (infinite for never)."""
+
+DONE, PAUSED, FULL, STORM, DOWN, ASK = range(6)
+"""How a run ends: all at rest, `until` reached, buffers full, more events than the cap, no ball
+flies any more (in `flight` alone), or an event that others resolve."""
 
 PIECES, EVENTS, STARTED, CAP, ASK_WHAT, ASK_WHO, ASK_OTHER = range(7)
 COUNTS_WIDTH = 7

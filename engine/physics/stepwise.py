@@ -29,6 +29,7 @@ from engine.physics.record import (
 )
 from engine.physics.shock import C_A, C_B, C_ORDER, C_SPEED, CONTACT_WIDTH, gather, spread
 from engine.physics.state import (
+    ASK,
     ASK_ALARM,
     ASK_CLUSTER,
     ASK_DROP,
@@ -42,11 +43,13 @@ from engine.physics.state import (
     C_ALARM,
     CAP,
     D_MODEL,
+    DONE,
     DROP_EDGE,
     DROPPED,
     EVENTS,
     FLY,
     FRICTIONAL,
+    FULL,
     G_BALL_BALL,
     G_CLUSTER,
     G_TOUCH,
@@ -60,12 +63,14 @@ from engine.physics.state import (
     N_MODEL,
     N_PIN,
     NOSE,
+    PAUSED,
     PIECES,
     RADIUS,
     REST,
     SOFT,
     STARTED,
     STOPPED,
+    STORM,
     T0,
     TOUCHING,
     VX,
@@ -79,10 +84,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
-
-DONE, PAUSED, FULL, STORM, DOWN, ASK = range(6)
-"""How a run ends: all at rest, `until` reached, buffers full, more events than the cap, no ball
-flies any more (in `flight` alone), or an event that others resolve."""
 
 
 @kernel_with_arrays
@@ -324,4 +325,4 @@ def _note_contacts(
                 note(events, counts, TOUCHING, now, a, float(b), row[C_SPEED])
 
 
-__all__ = ["ASK", "DONE", "DOWN", "FULL", "PAUSED", "STORM", "ask", "resume", "run"]
+__all__ = ["ask", "resume", "run"]
