@@ -43,10 +43,14 @@ _MORE = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 
 
 class FastLexer:
-    """Yields the tokens of a text; `types` has the type of each keyword and sign."""
+    """Yields the tokens of a text; `types` has the type of each keyword and sign.
 
-    def __init__(self, types: dict[str, str]) -> None:
+    `plan` is the table of the parser that it serves.
+    """
+
+    def __init__(self, types: dict[str, str], plan: Plan | None) -> None:
         self.types = types
+        self.plan = plan
 
     def lex(self, state: Any, _parser_state: Any = None) -> Iterator[Token]:
         """Yield the tokens that Lark's basic lexer would; raises UnexpectedCharacters."""
@@ -153,7 +157,7 @@ def hasten(parser: Lark) -> None:
                 callbacks[rule] = _Placed(made.node_builder)
     if hasattr(getattr(frontend.lexer, "lexer", None), "lex"):
         words = {t.pattern.value: t.name for t in parser.terminals if t.pattern.type == "str"}
-        frontend.lexer.lexer = FastLexer(words)
+        frontend.lexer.lexer = FastLexer(words, _plan(getattr(frontend.parser, "parser", None)))
 
 
 def quick_parse(parser: Lark, text: str) -> Any:
@@ -163,14 +167,45 @@ def quick_parse(parser: Lark, text: str) -> Any:
     the long way again.
     """
     frontend: Any = parser.parser
-    inner = getattr(frontend.parser, "parser", None)
-    table = getattr(inner, "parse_table", None)
-    if inner is None or table is None or not isinstance(frontend.lexer.lexer, FastLexer):
+    lexer = getattr(frontend.lexer, "lexer", None)
+    if not isinstance(lexer, FastLexer) or lexer.plan is None:
         return parser.parse(text)
     try:
-        return _walk(frontend.lexer, table, inner.callbacks, text)
+        return _walk(frontend.lexer, lexer.plan, text)
     except (KeyError, UnexpectedCharacters, BadDedent):
         return parser.parse(text)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A parser's table with plain keys.
+
+    For each state and type of token: the state to go to, or what builds a node, of how many
+    children, under which name; for each state and name the state to go to.
+    """
+
+    start: int
+    end: int
+    tokens: dict[int, dict[str, int | tuple[Any, int, str]]]
+    gotos: dict[int, dict[str, int]]
+
+
+def _plan(inner: Any) -> Plan | None:
+    table = getattr(inner, "parse_table", None)
+    if table is None:
+        return None
+    tokens: dict[int, dict[str, int | tuple[Any, int, str]]] = {}
+    gotos: dict[int, dict[str, int]] = {}
+    for state, row in table.states.items():
+        tokens[state], gotos[state] = {}, {}
+        for name, (action, arg) in row.items():
+            plain = str(name)
+            if action is Shift:
+                tokens[state][plain] = gotos[state][plain] = arg
+            else:
+                size = len(arg.expansion)
+                tokens[state][plain] = (inner.callbacks[arg], size, str(arg.origin.name))
+    return Plan(table.start_states["start"], table.end_states["start"], tokens, gotos)
 
 
 @dataclass(slots=True)
@@ -180,31 +215,29 @@ class _Text:
     text: str
 
 
-def _walk(lexer: Any, table: Any, callbacks: Any, text: str) -> Any:
+def _walk(lexer: Any, plan: Plan, text: str) -> Any:
     """Return the tree; raises KeyError where a token does not fit."""
-    actions = table.states
-    states: list[Any] = [table.start_states["start"]]
-    end = table.end_states["start"]
-    values: list[Any] = []
+    tokens, gotos = plan.tokens, plan.gotos
+    states, values = [plan.start], list[Any]()
     stream = itertools.chain(lexer.lex(_Text(text), None), (Token("$END", "", 0, 1, 1),))
     for token in stream:
         kind = token.type
         while True:
-            action, arg = actions[states[-1]][kind]
-            if action is Shift:
-                states.append(arg)
+            step = tokens[states[-1]][kind]
+            if type(step) is int:
+                states.append(step)
                 values.append(token)
                 break
-            size = len(arg.expansion)
+            build, size, name = step  # type: ignore[misc]
             if size:
-                made = callbacks[arg](values[-size:])
+                made = build(values[-size:])
                 del states[-size:], values[-size:]
             else:
-                made = callbacks[arg]([])
-            after = actions[states[-1]][arg.origin.name][1]
+                made = build([])
+            after = gotos[states[-1]][name]
             states.append(after)
             values.append(made)
-            if after == end and kind == "$END":
+            if after == plan.end and kind == "$END":
                 return made
     raise KeyError("$END")
 
