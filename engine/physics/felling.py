@@ -163,7 +163,7 @@ def meet_pin(asked: Asked) -> None:
     for ball in _strikers(asked, nose):
         row = asked.rows[ball]
         way, speed = _approach(row, nose)
-        blow = strike_pin(body, float(row[state.MASS]), speed, body.level)
+        blow = _blow(asked, ball, body, speed)
         if blow is not None:
             blows[ball] = blow, way
             asked.note(state.TOPPLED, ball, pin, blow.impulse)
@@ -174,6 +174,20 @@ def meet_pin(asked: Asked) -> None:
     if blows:
         _fall(asked, pins, pin, list(blows.values()))
     asked.wake(pins.wakes_at(asked.time))
+
+
+def _blow(asked: Asked, ball: int, body: Body, speed: float) -> Blow | None:
+    """Return what a ball does to a pin; a flying one meets it at the height of its centre.
+
+    One that comes down on the head fells the pin and loses nothing.
+    """
+    row = asked.rows[ball]
+    if asked.kinds[ball] != state.FLY:
+        return strike_pin(body, float(row[state.MASS]), speed, body.level)
+    if speed < state.SOFT:
+        return Blow(0.0, 0.0, 0.0)
+    height = min(float(row[state.Z]), body.height)
+    return strike_pin(body, float(row[state.MASS]), speed, height)
 
 
 def go_on(asked: Asked) -> None:
@@ -262,7 +276,7 @@ def _approach(row: Floats, nose: Floats) -> tuple[Point, float]:
     x = float(nose[state.N_X] - row[state.X])
     y = float(nose[state.N_Y] - row[state.Y])
     size = hypot(x, y)
-    way = x / size, y / size
+    way = (x / size, y / size) if size > 0.0 else (1.0, 0.0)
     return way, float(row[state.VX]) * way[0] + float(row[state.VY]) * way[1]
 
 

@@ -247,6 +247,9 @@ def _sunk(
         reach = np.where(square > 2.0 * OVERLAP * radius, np.sqrt(np.maximum(square, 0.0)), -inf)
     lies = z[point] <= radius  # above the bed a post, too, is no more than its ring at nose height
     reach = np.where((rows[:, state.N_UPRIGHT] != 0.0) & lies, radius, reach)
+    over = np.maximum(z[point] - np.maximum(rows[:, state.N_UPRIGHT], radius), 0.0)
+    beside = np.sqrt(np.maximum(radius**2 - over**2, 0.0))
+    reach = np.where(rows[:, state.N_PIN] >= 0.0, np.where(over < radius, beside, -inf), reach)
     depth = _depths(rows, x[point], y[point], reach)
     depth[(depth > far) | ~_stands(reading, rows[:, state.N_PIN], times[moment[point]])] = 0.0
     return float(depth.max(initial=0.0))
