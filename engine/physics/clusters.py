@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.geometry.kernel import kernel, kernel_with_arrays
+from engine.geometry.kernel import kernel_with_arrays
 from engine.physics.collide import find_rub, give_rub, restitution, strike_apart
 from engine.physics.shock import (
     C_A,
@@ -66,7 +66,7 @@ TIE = 1e-9
 """Approaches as fast as each other, in parts."""
 
 
-@kernel
+@kernel_with_arrays
 def spread_at_once(
     balls: Floats, members: Ints, count: int, world: Floats, contacts: Floats
 ) -> int:
@@ -86,7 +86,7 @@ def spread_at_once(
     return total
 
 
-@kernel
+@kernel_with_arrays
 def spread_one_by_one(
     balls: Floats, members: Ints, count: int, world: Floats, contacts: Floats
 ) -> int:
@@ -107,7 +107,7 @@ def spread_one_by_one(
     return total
 
 
-@kernel
+@kernel_with_arrays
 def _touching(balls: Floats, members: Ints, count: int, contacts: Floats, touch: float) -> int:
     """Fill `contacts` with all pairs of members that touch; return how many."""
     total = 0
@@ -126,13 +126,13 @@ def _touching(balls: Floats, members: Ints, count: int, contacts: Floats, touch:
     return total
 
 
-@kernel
+@kernel_with_arrays
 def _nearing(balls: Floats, row: Floats) -> float:
     one, two = balls[int(row[C_A])], balls[int(row[C_B])]
     return (one[VX] - two[VX]) * row[C_NX] + (one[VY] - two[VY]) * row[C_NY]
 
 
-@kernel
+@kernel_with_arrays
 def _fastest(balls: Floats, contacts: Floats) -> float:
     fastest = 0.0
     for c in range(contacts.shape[0]):
@@ -140,7 +140,7 @@ def _fastest(balls: Floats, contacts: Floats) -> float:
     return fastest
 
 
-@kernel
+@kernel_with_arrays
 def _next_pair(balls: Floats, contacts: Floats) -> int:
     """Return the contact to go first, or -1 where none nears faster than a resting one."""
     fastest = _fastest(balls, contacts)
@@ -186,7 +186,7 @@ def _round(
     return order
 
 
-@kernel
+@kernel_with_arrays
 def _least_lively(balls: Floats, contacts: Floats, world: Floats, speed: float) -> float:
     """Return the least restitution of the contacts: one for all, so that no energy is gained."""
     least = 1.0
@@ -228,7 +228,7 @@ def _balance(
             break
 
 
-@kernel
+@kernel_with_arrays
 def _push(balls: Floats, contacts: Floats, impulse: Floats) -> None:
     for c in range(contacts.shape[0]):
         row = contacts[c]

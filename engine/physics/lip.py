@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.geometry.kernel import kernel, kernel_with_arrays
+from engine.geometry.kernel import kernel_with_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -102,7 +102,7 @@ def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
     return outcome, time, count
 
 
-@kernel
+@kernel_with_arrays
 def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
     """Note a place of the ball's way, as long as there is room for it and the last."""
     if counts[0] < way.shape[0] - 1:
@@ -111,7 +111,7 @@ def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
         counts[0] += 1
 
 
-@kernel
+@kernel_with_arrays
 def _energy(body: Floats, hole: Floats) -> float:
     """Return a ball's energy over its mass."""
     speed = body[B_VX] ** 2 + body[B_VY] ** 2 + body[B_VZ] ** 2
@@ -119,7 +119,7 @@ def _energy(body: Floats, hole: Floats) -> float:
     return 0.5 * speed + 0.2 * hole[H_BALL] ** 2 * spin + hole[H_GRAVITY] * body[B_Z]
 
 
-@kernel
+@kernel_with_arrays
 def _no_gain(body: Floats, hole: Floats, before: float) -> None:
     """Take back from speed and spin what integration gained, or the modelled leap onto the bed."""
     height = hole[H_GRAVITY] * body[B_Z]
@@ -131,7 +131,7 @@ def _no_gain(body: Floats, hole: Floats, before: float) -> None:
         body[k] *= part
 
 
-@kernel
+@kernel_with_arrays
 def _rolls(body: Floats, hole: Floats) -> bool:
     """Say whether a ball on the bed rolls, or nearly so."""
     ux = body[B_VX] - hole[H_BALL] * body[B_WY]
@@ -139,7 +139,7 @@ def _rolls(body: Floats, hole: Floats) -> bool:
     return hypot(ux, uy) <= SLIPS * hypot(body[B_VX], body[B_VY]) + 1e-9
 
 
-@kernel
+@kernel_with_arrays
 def _pull(psi: float, hole: Floats, rho: float, whirl: float, inertia: float) -> float:
     """Return the angular acceleration of leaning: gravity's, and that of going round."""
     reach = hole[H_RADIUS] - rho * sin(psi)
@@ -147,7 +147,7 @@ def _pull(psi: float, hole: Floats, rho: float, whirl: float, inertia: float) ->
     return hole[H_GRAVITY] * sin(psi) / (rho * inertia) - round_off
 
 
-@kernel
+@kernel_with_arrays
 def _pressed(psi: float, rate: float, hole: Floats, rho: float, whirl: float) -> float:
     """Return the force over mass with which lip and ball press each other."""
     reach = hole[H_RADIUS] - rho * sin(psi)
@@ -155,7 +155,7 @@ def _pressed(psi: float, rate: float, hole: Floats, rho: float, whirl: float) ->
     return hole[H_GRAVITY] * cos(psi) - rho * rate * rate + outward
 
 
-@kernel
+@kernel_with_arrays
 def _lean_step(
     y: Floats, h: float, hole: Floats, rho: float, whirl: float, inertia: float, out: Floats
 ) -> None:
@@ -221,7 +221,7 @@ def _lean_over(
     return back
 
 
-@kernel
+@kernel_with_arrays
 def _last_step(
     y: Floats, h: float, hole: Floats, rho: float, whirl: float, inertia: float, new: Floats
 ) -> float:
@@ -238,14 +238,14 @@ def _last_step(
     return high
 
 
-@kernel
+@kernel_with_arrays
 def _leaves(y: Floats, hole: Floats, rho: float, whirl: float) -> bool:
     """Say whether nothing presses any more, or the ball is back up."""
     loose = _pressed(y[0], y[1], hole, rho, whirl) <= 0.0
     return loose or y[0] < 0.0 or y[0] > 0.5 * pi
 
 
-@kernel
+@kernel_with_arrays
 def _set_down(
     body: Floats,
     hole: Floats,
@@ -274,14 +274,14 @@ def _set_down(
     body[B_WZ] = (nx * body[B_VY] - ny * body[B_VX]) / r + left * nz
 
 
-@kernel
+@kernel_with_arrays
 def _at_bed(x: float, y: float, hole: Floats) -> bool:
     """Say whether the hole's edge in this direction from its middle is the bed's."""
     d = hypot(x, y)
     return x * hole[H_BED_X] + y * hole[H_BED_Y] >= hole[H_BED_COS] * d - 1e-12
 
 
-@kernel
+@kernel_with_arrays
 def _gap(body: Floats, hole: Floats, normal: Floats) -> float:
     """Return how far (m) a ball is from what is nearest in the hole; `normal` points from it."""
     d = hypot(body[B_X], body[B_Y])
@@ -301,7 +301,7 @@ def _gap(body: Floats, hole: Floats, normal: Floats) -> float:
     return reach - lip - hole[H_BALL]
 
 
-@kernel
+@kernel_with_arrays
 def _drift(body: Floats, h: float, gravity: float) -> None:
     body[B_X] += h * body[B_VX]
     body[B_Y] += h * body[B_VY]
@@ -309,7 +309,7 @@ def _drift(body: Floats, h: float, gravity: float) -> None:
     body[B_VZ] -= gravity * h
 
 
-@kernel
+@kernel_with_arrays
 def _outcome(body: Floats, hole: Floats) -> int:
     """Return what has become of a ball, or -1 while that is open."""
     if body[B_Z] <= -hole[H_BALL]:
@@ -364,7 +364,7 @@ def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> 
     return CAPTURED, time
 
 
-@kernel
+@kernel_with_arrays
 def _strike(body: Floats, hole: Floats, normal: Floats) -> None:
     """Resolve a blow against what lies behind `normal`: restitution, and friction to 2/7."""
     nx, ny, nz = normal[0], normal[1], normal[2]

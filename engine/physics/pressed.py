@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.geometry.kernel import kernel, kernel_with_arrays
+from engine.geometry.kernel import kernel_with_arrays
 from engine.physics.collide import grip, restitution
 from engine.physics.state import (
     G_DECAY,
@@ -93,12 +93,12 @@ def meet_pressed(one: Floats, two: Floats, world: Floats) -> float:
     return speed
 
 
-@kernel
+@kernel_with_arrays
 def _across(ball: Floats, nx: float, ny: float) -> float:
     return ball[VX] * ny - ball[VY] * nx
 
 
-@kernel
+@kernel_with_arrays
 def _slide(ball: Floats, nx: float, ny: float) -> tuple[float, float]:
     """Return the slip on the bed across and along the line of centres."""
     ux = ball[VX] - ball[RADIUS] * ball[WY]
@@ -106,7 +106,7 @@ def _slide(ball: Floats, nx: float, ny: float) -> tuple[float, float]:
     return ux * ny - uy * nx, ux * nx + uy * ny
 
 
-@kernel
+@kernel_with_arrays
 def _give(
     ball: Floats,
     nx: float,
@@ -132,7 +132,7 @@ def _give(
     ball[WZ] -= lever * across
 
 
-@kernel
+@kernel_with_arrays
 def _rate(y: Floats, place: Floats, d: Floats) -> None:
     """Fill `d` with how the state changes with p."""
     light1, light2 = place[P_LIGHT1], place[P_LIGHT2]
@@ -159,7 +159,7 @@ def _rate(y: Floats, place: Floats, d: Floats) -> None:
     d[WORK], d[PUSH] = y[NEARING], 1.0
 
 
-@kernel
+@kernel_with_arrays
 def _bed(
     ux: float, uy: float, driven_x: float, driven_y: float, most: float, speed: float
 ) -> tuple[float, float]:
@@ -198,7 +198,7 @@ def _follow(y: Floats, place: Floats, e: float) -> None:
         step = h * min(4.0, 0.8 * sqrt(sqrt(ERROR * speed / max(error, 1e-300))))
 
 
-@kernel
+@kernel_with_arrays
 def _life(y: Floats, place: Floats, stages: Floats, whole: float) -> float:
     """Return the longest step: a slip between the balls never dies within one, it nears death."""
     _rate(y, place, stages[0])
@@ -212,7 +212,7 @@ def _life(y: Floats, place: Floats, stages: Floats, whole: float) -> float:
     return max(0.7 * life, LEAST * whole * 1e-4)
 
 
-@kernel
+@kernel_with_arrays
 def _attempt(y: Floats, place: Floats, h: float, k: Floats, trial: Floats) -> float:
     """Fill `trial` with the state after h more of p; return an estimate of its error.
 
@@ -239,7 +239,7 @@ def _attempt(y: Floats, place: Floats, h: float, k: Floats, trial: Floats) -> fl
     return error
 
 
-@kernel
+@kernel_with_arrays
 def _arrive(
     y: Floats, place: Floats, h: float, k: Floats, trial: Floats, goal: float, returning: float
 ) -> None:
@@ -261,14 +261,14 @@ def _arrive(
         _attempt(y, place, h, k, trial)
 
 
-@kernel
+@kernel_with_arrays
 def _energy(ball: Floats) -> float:
     spin = ball[WX] * ball[WX] + ball[WY] * ball[WY] + ball[WZ] * ball[WZ]
     speed = ball[VX] * ball[VX] + ball[VY] * ball[VY]
     return ball[MASS] * (0.5 * speed + 0.2 * ball[RADIUS] * ball[RADIUS] * spin)
 
 
-@kernel
+@kernel_with_arrays
 def _forbid_gain(one: Floats, two: Floats, before: float) -> None:
     """Take back what rounding gained, from the motion relative to the centre of mass."""
     gain = _energy(one) + _energy(two) - before

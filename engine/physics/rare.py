@@ -16,7 +16,7 @@ import numpy as np
 
 from engine.physics import lip, state
 from engine.physics.clusters import spread_at_once, spread_one_by_one
-from engine.physics.collide import closing_speed
+from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.pressed import meet_pressed
 from engine.physics.rebound import HUG, friction_at, lean, restitution_at
 from engine.physics.rebound import meet_nose as meet_usual
@@ -52,11 +52,29 @@ class Fallen:
     body: Floats
 
 
+def part(one: Floats, two: Floats, numbers: Floats) -> float:
+    """Resolve a meeting of two rows by the world's model; return the speed of approach, m/s."""
+    if numbers[state.G_BALL_BALL] == state.MATHAVAN_2014:
+        return float(meet_pressed(one, two, numbers))
+    return float(strike_apart(one, two, numbers))
+
+
+def rebound(row: Floats, numbers: Floats, nose: Floats, ix: float, iy: float) -> float:
+    """Resolve a hit on a nose in the direction (ix, iy) by its model; return the normal speed."""
+    speed = float(row[state.VX] * ix + row[state.VY] * iy)
+    if nose[state.N_MODEL] != state.STRONGE or speed < state.SOFT:
+        return float(meet_usual(row, numbers, nose, ix, iy))
+    mu = friction_at(nose, speed, row[state.VX] * iy - row[state.VY] * ix)
+    place, e = lean(row, numbers, nose), restitution_at(nose, speed)
+    stronge(row, place, mu, ix, iy, e, nose[state.N_RATIO])
+    return speed
+
+
 def meet_ball(asked: Asked) -> None:
     """Resolve two balls that meet, by `mathavan-2014`."""
     rows, one, two = asked.rows, asked.who, asked.other
     first, second = faster_first(rows, one, two)
-    speed = meet_pressed(rows[one], rows[two], asked.world.numbers)
+    speed = part(rows[one], rows[two], asked.world.numbers)
     asked.note(state.TOUCHING, first, second, speed)
 
 
@@ -66,12 +84,10 @@ def meet_nose(asked: Asked) -> None:
     ix, iy = into(row, nose)
     speed = row[state.VX] * ix + row[state.VY] * iy
     along = abs(row[state.VX] * iy - row[state.VY] * ix)
-    mu = friction_at(nose, speed, along)
     if nose[state.N_SIZE] < 0.0 and meets_lightly(speed, along):
         speed = meet_usual(row, numbers, nose, ix, iy)
     else:
-        place, e = lean(row, numbers, nose), restitution_at(nose, speed)
-        stronge(row, place, mu, ix, iy, e, nose[state.N_RATIO])
+        speed = rebound(row, numbers, nose, ix, iy)
     asked.note(state.NOSE, asked.who, asked.other, speed)
 
 
@@ -253,4 +269,12 @@ def _put_back(asked: Asked, fallen: Fallen) -> None:
     asked.foreseen[fallen.ball, state.K_TOUCHED] = 1.0
 
 
-__all__ = ["leave_pocket", "meet_ball", "meet_cluster", "meet_nose", "reach_pocket"]
+__all__ = [
+    "leave_pocket",
+    "meet_ball",
+    "meet_cluster",
+    "meet_nose",
+    "part",
+    "reach_pocket",
+    "rebound",
+]

@@ -4,32 +4,24 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import pairwise
 from math import cos, radians, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.physics.collide import friction, strike_apart
+from engine.physics.collide import friction
 from engine.physics.events import BallsCollided
 from engine.physics.pack import pack_world
-from engine.physics.state import VX, VY
-from engine.physics.strike import Motion
-from engine.physics.world import Ball, Contact
-from engine.table.furniture import BallId
+from engine.physics.world import Contact
 from tools.validate.check import NotApplicableError
-from tools.validate.cluster import require_own
+from tools.validate.cluster import blow
 from tools.validate.lab import (
-    RADIUS,
-    REST,
     contact_of,
     direction,
     meet,
     play_cut,
     radius_of,
     rolls_at,
-    row_of,
-    throw,
     velocity,
     world_of,
 )
@@ -199,15 +191,11 @@ def _unequal(ball: int) -> Callable[[Check, Wanted], object]:
 
 def _cradle(check: Check, wanted: Wanted) -> object:
     """Return the last ball's speed when the blow is handed on, pair by pair."""
-    n = int(need(check, wanted, "n"))
+    n, gap = int(need(check, wanted, "n")), 2.0 * radius_of(check)
     contact = contact_of(check, need(check, wanted, "e"))
-    world = world_of(check, n, contact=replace(contact, friction_floor=0.0, friction_rise=0.0))
-    gap = 2.0 * world.balls[0].radius
-    rows = [row_of(ball, REST, (i * gap, 0.0)) for i, ball in enumerate(world.balls)]
-    rows[0][VX] = check.number("v")
-    for one, two in pairwise(rows):
-        strike_apart(one, two, pack_world(world))
-    return float(rows[-1][VX])
+    contact = replace(contact, friction_floor=0.0, friction_rise=0.0)
+    places = [(i * gap, 0.0) for i in range(n)]
+    return float(blow(check, places, [check.number("v")], contact=contact)[-1, 0])
 
 
 def _double_hit(check: Check, wanted: Wanted) -> tuple[Trace, list[BallsCollided]]:
@@ -293,42 +281,28 @@ def _throw_ratio(check: Check, wanted: Wanted) -> object:
     return fast / _measured_throw(check, _named_speed(check, "v_slow"), phi)
 
 
-def _at_once(check: Check, wanted: Wanted) -> Trace:
-    """Return the trace of a ball that meets two frozen ones at the same angle on both sides."""
+def _on_two(check: Check, wanted: Wanted) -> Floats:
+    """Return the velocities (3, 2) of a ball that met two frozen ones, one on each side."""
     a, gap = radians(check.number("half_angle", default=30.0)), 2.0 * radius_of(check)
-    world = world_of(check, 3, contact=contact_of(check))
     places = [(0.0, 0.0), (gap * cos(a), gap * sin(a)), (gap * cos(a), -gap * sin(a))]
-    return throw(world, places, {0: Motion((_speed(check, wanted), 0.0), REST.spin)}, until=1e-12)
+    return blow(check, places, [_speed(check, wanted)])
 
 
-def _at_once_answer(check: Check, wanted: Wanted) -> object:
-    v = _at_once(check, wanted).velocities([1e-12])[0, :, :2]
-    got: object = [direction(v[1]), direction(v[2])]
-    if wanted.quantity == "v_CB_x":
-        got = float(v[0, 0])
-    elif wanted.quantity == "|v_OB|":
-        got = float(np.hypot(*v[1]))
-    require_own(check, got)
-    return got
+def _both_ways(check: Check, wanted: Wanted) -> object:
+    v = _on_two(check, wanted)
+    return [direction(v[1]), direction(v[2])]
 
 
-def _one_by_one(check: Check, wanted: Wanted) -> object:
-    """Return what the pair's model makes of two frozen balls met one after the other."""
-    a, gap = radians(check.number("half_angle", default=30.0)), 2.0 * RADIUS
-    world = pack_world(world_of(check, contact=Contact(check.number("e"), 0.0)))
-    ball = Ball(BallId("any"), RADIUS, 0.17)
-    start = Motion((check.number("v"), 0.0), REST.spin)
-    cue, one, two = (
-        row_of(ball, start),
-        row_of(ball, REST, (gap * cos(a), gap * sin(a))),
-        row_of(ball, REST, (gap * cos(a), -gap * sin(a))),
-    )
-    strike_apart(cue, one, world)
-    strike_apart(cue, two, world)
-    if wanted.quantity == "CB velocity":
-        return [float(cue[VX]), float(cue[VY])]
-    chosen = one if wanted.quantity.startswith("first") else two
-    return float(np.hypot(chosen[VX], chosen[VY]))
+def _at_once(ball: int) -> Callable[[Check, Wanted], object]:
+    def answer(check: Check, wanted: Wanted) -> object:
+        v = _on_two(check, wanted)[ball]
+        return float(v[0]) if ball == 0 else float(np.hypot(*v))
+
+    return answer
+
+
+def _all_of_it(check: Check, wanted: Wanted) -> object:
+    return _on_two(check, wanted)[0].tolist()
 
 
 KINDS = (
@@ -341,7 +315,11 @@ KINDS = (
     (r"draw distance to rest.*", _draw_distance),
     (r"k phi=.*", _square_draw),
     (r"V0=.* cut=.* (\[.*\]|CB exit angle)", _shot_of_table),
-    (r"v_CB_x|\|v_OB\||OB angles", _at_once_answer),
+    (r"v_CB_x", _at_once(0)),
+    (r"\|v_OB\||first-processed OB speed", _at_once(1)),
+    (r"second OB speed", _at_once(2)),
+    (r"OB angles", _both_ways),
+    (r"CB velocity", _all_of_it),
     (r"v_CB", _unequal(0)),
     (r"v_OB", _unequal(1)),
     (r"n=\d+ balls e=.*: last ball speed", _cradle),
@@ -359,6 +337,5 @@ KINDS = (
     (r"throw at .* deg", _throw_anywhere),
     (r"max slow stun throw", _most_throw),
     (r"fast/slow throw ratio at .* deg", _throw_ratio),
-    (r"first-processed OB speed|second OB speed|CB velocity", _one_by_one),
 )
 """Which quantity is answered by what."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import floor, isfinite, log10
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-PASS, FAIL, NOT_APPLICABLE = "pass", "fail", "not-applicable"
+PASS, FAIL, DIFFERS, NOT_APPLICABLE = "pass", "fail", "differs", "not-applicable"
+"""What may come of a quantity; `differs` is a measured one that the simulator misses."""
 
 
 class NotApplicableError(Exception):
@@ -61,6 +62,7 @@ class Check:
     parameters: Mapping[str, object]
     wanted: tuple[Wanted, ...]
     laws: Mapping[str, object] = field(default_factory=dict)
+    formula: str = ""
 
     def has(self, name: str) -> bool:
         """Say whether the check gives a parameter."""
@@ -111,13 +113,13 @@ class Result:
 
     @property
     def status(self) -> str:
-        """Return `fail` where any quantity fails, `pass` where one passes and none fails."""
+        """Return `fail` where any quantity fails, else `differs`, else `pass`, if there is one."""
         seen = {answer.status for answer in self.answers}
-        return next((one for one in (FAIL, PASS) if one in seen), NOT_APPLICABLE)
+        return next((one for one in (FAIL, DIFFERS, PASS) if one in seen), NOT_APPLICABLE)
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Return why quantities are not applicable, each reason once."""
+        """Return why quantities are not applicable or by how much they differ, each once."""
         return tuple(dict.fromkeys(one.reason for one in self.answers if one.reason))
 
 
@@ -152,8 +154,8 @@ def _read(raw: Mapping[str, object], laws: Mapping[str, object]) -> Check:
     description = str(raw.get("description", ""))
     words = f"{description} {raw.get('notes', '')}"
     group = str(raw.get("group", raw["id"]))
-    kind = str(raw.get("kind", ""))
-    return Check(str(raw["id"]), group, kind, description, words, parameters, wanted, laws)
+    kind, formula = str(raw.get("kind", "")), str(raw.get("formula", ""))
+    return Check(str(raw["id"]), group, kind, description, words, parameters, wanted, laws, formula)
 
 
 def _laws(raw: list[Mapping[str, object]]) -> dict[str, object]:
@@ -174,6 +176,26 @@ def compare(wanted: Wanted, got: object) -> Answer:
     off = _off(wanted.value, got, wanted)
     status = PASS if off <= 1.0 else FAIL
     return Answer(wanted, status, got, off=off)
+
+
+def allow(answer: Answer) -> Answer:
+    """Return what a measured quantity's answer counts as: it may differ, and says by how much."""
+    value, got = answer.wanted.value, answer.got
+    values = value if isinstance(value, list) else [value]
+    gots = got if isinstance(got, list) else [got]
+    shares = [_share(*pair) for pair in zip(values, gots, strict=False)]
+    if answer.status != FAIL or len(values) != len(gots) or None in shares:
+        return answer
+    worst = max((share for share in shares if share is not None), key=abs)
+    reason = f"{answer.wanted.quantity} by {worst:+.1f} %"
+    return replace(answer, status=DIFFERS, reason=reason)
+
+
+def _share(value: object, got: object) -> float | None:
+    """Return by how many per cent an answer is off, None where that cannot be said."""
+    if not isinstance(value, (int, float)) or not isinstance(got, (int, float)):
+        return None
+    return 100.0 * (got - value) / abs(value) if value != 0.0 and isfinite(got) else None
 
 
 def _rounding(value: float) -> float:

@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from engine.physics.strike import Motion
-from engine.physics.world import Cloth
-from tools.validate.check import NotApplicableError
+from engine.physics.world import MODEL_NAMES, Cloth
 from tools.validate.lab import REST, contact_of, radius_of, throw, world_of
 from tools.validate.prose import NUMBER, count, spoken
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from engine.physics.world import Contact
     from engine.table.furniture import Point
     from tools.validate.check import Check, Wanted
     from tools.validate.lab import Floats
 
-OWN = "hertz"
-"""The engine's model of a blow through touching balls."""
+USUAL = "hertz"
+"""The model of a blow through touching balls that is meant where a check names none."""
 
-MODELS = ("hertz", "simultaneous", "sequential")
 SLIPPERY = Cloth(1e-9, 1e-9, 10.0)
 """A bed that takes nothing while balls cross a gap."""
 
@@ -36,23 +36,26 @@ def cluster_of(check: Check) -> str:
     """Return the cluster model that the check names: a field, or the first word that is one."""
     if check.has("cluster"):
         return check.text("cluster")
-    found = re.search("|".join(MODELS), check.description, re.IGNORECASE)
-    return found[0].lower() if found else OWN
+    found = re.search("|".join(MODEL_NAMES["cluster"]), check.description, re.IGNORECASE)
+    return found[0].lower() if found else USUAL
 
 
-def require_own(check: Check, got: object = None) -> None:
-    """Raise where a check is for another cluster model than the engine's, which gives `got`."""
-    model = cluster_of(check)
-    if model != OWN:
-        raise NotApplicableError(f"for the cluster model {model}; this engine's is {OWN}", got)
-
-
-def _after(
-    check: Check, places: Sequence[Point], speeds: Sequence[float], until: float = MOMENT
+def blow(
+    check: Check,
+    places: Sequence[Point],
+    speeds: Sequence[float],
+    until: float = MOMENT,
+    *,
+    contact: Contact | None = None,
+    gap: float = 0.0,
 ) -> Floats:
-    """Return the velocities (n, 2) when a blow along +x has run through the balls, m/s."""
-    require_own(check)
-    world = world_of(check, len(places), contact=contact_of(check), cloth=SLIPPERY)
+    """Return the velocities (n, 2) when a blow along +x has run through the balls, m/s.
+
+    `gap` (m) is the widest over which balls still take part in one blow.
+    """
+    contact = contact or contact_of(check)
+    contact = replace(contact, cluster_gap=max(contact.cluster_gap, 1.000001 * gap))
+    world = world_of(check, len(places), contact=contact, cloth=SLIPPERY, cluster=cluster_of(check))
     motions = {i: Motion((v, 0.0), REST.spin) for i, v in enumerate(speeds) if v}
     trace = throw(world, places, motions, until)
     found: Floats = trace.velocities([until])[0, :, :2]
@@ -78,7 +81,8 @@ def _chain(check: Check, wanted: Wanted) -> object:
     # a gap parts the second ball from the third
     places = [(size * i + (gap if i >= 2 else 0.0), 0.0) for i in range(n)]
     speeds = _chain_speeds(check, n)
-    return _after(check, places, speeds, MOMENT + 2.0 * gap / max(speeds))[:, 0].tolist()
+    until = MOMENT + 2.0 * gap / max(speeds)
+    return blow(check, places, speeds, until, gap=gap)[:, 0].tolist()
 
 
 def _rack(check: Check) -> Floats:
@@ -90,7 +94,7 @@ def _rack(check: Check) -> Floats:
     for row in range(rows):
         x = size * (1.0 + row * sqrt(3.0) / 2.0)
         places += [(x, size * (k - row / 2.0)) for k in range(row + 1)]
-    return _after(check, places, [check.number("v")])
+    return blow(check, places, [check.number("v")])
 
 
 def _rack_ball(check: Check, wanted: Wanted) -> object:

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import atan2, cos, degrees, radians, sin, sqrt, tan
 from typing import TYPE_CHECKING
 
 from engine.physics.pack import nose_reach
 from engine.physics.world import Cloth, Rubber
+from engine.table.build import build_table
 from tools.validate.check import NotApplicableError
 from tools.validate.invariants import KINDS as INVARIANTS
-from tools.validate.lab import RADIUS, cloth_of, rebound, world_of
-from tools.validate.prose import length_told, motion_of, need, spoken, told
+from tools.validate.lab import OPEN, RADIUS, cloth_of, radius_of, rebound, world_of
+from tools.validate.prose import NUMBER, length_told, motion_of, need, need_or, spoken, told
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from engine.physics.world import World
     from tools.validate.check import Check, Wanted
 
 SIDE = 0.5
@@ -173,15 +176,54 @@ def _restitution_for(check: Check, wanted: Wanted) -> object:
     return (low + high) / 2.0
 
 
-def _stronge(check: Check, wanted: Wanted) -> object:
-    world_of(check, 1, ball_cushion="stronge")
-    raise NotApplicableError(f"the model stronge has no way to give {wanted.quantity}")
+def _level(check: Check, rubber: Rubber, model: str) -> World:
+    """Return a world whose noses stand as high as the balls' centres: all happens in a plane."""
+    table = build_table(OPEN, OPEN, radius_of(check), None, None, 0.1)
+    return world_of(check, 1, rubber=rubber, table=table, ball_cushion=model)
 
 
-def _law(_check: Check, _wanted: Wanted) -> object:
-    raise NotApplicableError(
-        "needs a law the engine has not: restitution falls evenly with speed, friction is constant"
+def _thrown_back(check: Check, wanted: Wanted) -> object:
+    """Return slip and normal speed after a level hit by the compliant model."""
+    slip, speed = need(check, wanted, "vt"), need_or(check, wanted, "vn", 1.0)
+    rubber = Rubber(check.number("e"), 0.0, 0.0, check.number("mu"))
+    if check.has("omega_ratio"):
+        rubber = replace(rubber, frequency_ratio=check.number("omega_ratio"))
+    out = rebound(_level(check, rubber, "stronge"), (slip, speed), (0.0, 0.0, 0.0))
+    return [out[0] - out[4], -out[1]]
+
+
+def _law_of(check: Check) -> Rubber:
+    """Return the rubber that a law describes: `e=a+b v+c v^2 ; mu=d+f theta`."""
+    terms = {}
+    for name, text in re.findall(r"(\w+) ?= ?([^;]+)", check.text("formula", check.formula)):
+        found = re.findall(rf"([-+]?) ?({NUMBER}) ?([a-z]*(?:\^2)?)", text)
+        terms[name] = {power: float(f"{sign}{size}") for sign, size, power in found}
+    if not {"e", "mu"} <= terms.keys():
+        raise NotApplicableError("input only in prose: formula")
+    e, mu = terms["e"], terms["mu"]
+    return Rubber(
+        restitution=e.get("", 0.0),
+        restitution_slope=-e.get("v", 0.0),
+        restitution_knee=0.0,
+        friction=mu.get("", 0.0),
+        restitution_bend=-e.get("v^2", 0.0),
+        friction_slope=-mu.get("theta", 0.0),
     )
+
+
+def _bounce_by_law(check: Check, wanted: Wanted) -> object:
+    """Return speed after over before a level hit without friction."""
+    speed = float(wanted.quantity[2:-1])
+    rubber = replace(_law_of(check), friction=0.0, friction_slope=0.0)
+    return -rebound(_level(check, rubber, "han-2005"), (0.0, speed), (0.0, 0.0, 0.0))[1] / speed
+
+
+def _rub_by_law(check: Check, wanted: Wanted) -> object:
+    """Return the impulse along over that into a level nose, of a ball that slips all the time."""
+    angle = radians(float(wanted.quantity[3:-1].removesuffix("deg")))
+    v = (sin(angle), cos(angle))
+    out = rebound(_level(check, _law_of(check), "han-2005"), v, (0.0, 0.0, -100.0))
+    return (v[0] - out[0]) / (v[1] - out[1])
 
 
 KINDS = (
@@ -195,9 +237,10 @@ KINDS = (
     (r".*inc=.*\[.*\]", _grid),
     (r"V=.* \[v_out/V, RwX/V\]", _square),
     (r"vX,vY|RwX,RwY,RwZ", _oblique),
-    (r"vt=.* \[vt_out, vn_out\]", _stronge),
+    (r"vt=.* \[vt_out, vn_out\]", _thrown_back),
     (r"mu_w=.* v_n=.*", _restitution_for),
-    (r"(e|mu)\([\d.]+( deg)?\)", _law),
+    (r"e\([\d.]+\)", _bounce_by_law),
+    (r"mu\([\d.]+ deg\)", _rub_by_law),
     (r".*h ?= ?[\d.]+ ?(mm|D|R).*", _tangent),
 )
 """Which quantity is answered by what."""

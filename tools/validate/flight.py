@@ -10,19 +10,20 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from math import radians, sqrt
+from math import degrees, radians, sqrt
 from typing import TYPE_CHECKING
 
 from engine.physics import state
 from engine.physics.events import BallLanded
 from engine.physics.impact import meet_ball, meet_bed
+from engine.physics.lip import leaving_angle
 from engine.physics.pack import packed
 from engine.physics.strike import Motion, strike_ball, tip_blow
 from engine.physics.world import Cue, Strike
 from tools.validate.balls import KINDS as ON_THE_BED
 from tools.validate.cue import GRIP, STRAIGHT
 from tools.validate.lab import cloth_of, contact_of, throw, world_of
-from tools.validate.prose import spoken
+from tools.validate.prose import need, spoken
 
 if TYPE_CHECKING:
     from engine.physics.trace import Trace
@@ -158,6 +159,24 @@ def is_spatial(check: Check) -> bool:
     return any(isinstance(one.value, list) and len(one.value) == 3 for one in check.wanted)
 
 
+def _leaves_lip(check: Check, wanted: Wanted) -> object:
+    """Return the angle (degrees) at which a ball that rolls over a lip leaves it."""
+    return degrees(_lip(check, need(check, wanted, "v0")))
+
+
+def _lip(check: Check, speed: float) -> float:
+    return float(leaving_angle(speed, cloth_of(check).gravity, check.number("rho", "R")))
+
+
+def _leaves_at_once(check: Check, _: Wanted) -> object:
+    """Return the least speed (m/s) at which a ball leaves a lip at once, by bisection."""
+    low, high = 0.0, 100.0
+    for _step in range(60):
+        middle = (low + high) / 2.0
+        low, high = (low, middle) if _lip(check, middle) == 0.0 else (middle, high)
+    return high
+
+
 KINDS = (
     (r"impact \d+", _impact),
     (r"accumulation time", _ever),
@@ -165,6 +184,8 @@ KINDS = (
     (r"\w+: [vw]", _bounce),
     (r"[vw] after tip", _after_tip),
     (r"[vw] after slate", _after_slate),
+    (r"psi v0=.*", _leaves_lip),
+    (r"v0 immediate", _leaves_at_once),
     (r"apex height gain|flight time|flight range", _flight),
 )
 MEETINGS = (

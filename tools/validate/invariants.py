@@ -8,7 +8,7 @@ import numpy as np
 
 from engine.physics import state
 from engine.physics.pack import nose_reach, pack_rubber, pack_world
-from engine.physics.rebound import bounce
+from engine.physics.rare import rebound as bounce
 from engine.physics.world import MODEL_NAMES, Rubber
 from tools.validate.lab import MASS, RADIUS, world_of
 from tools.validate.prose import spoken

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.collide import strike_apart
 from engine.physics.events import RollingBegan
 from engine.physics.pack import nose_reach, pack_rubber, pack_world
-from engine.physics.rebound import bounce
+from engine.physics.rare import part
+from engine.physics.rare import rebound as bounce
 from engine.physics.strike import Motion
 from engine.physics.throw import throw_balls
 from engine.physics.world import MODEL_NAMES, Ball, Cloth, Contact, Cue, Models, Rubber, World
@@ -171,7 +171,9 @@ def meet(world: World, phi: float, speed: float, rw: Sequence[float] = (0.0, 0.0
     turn = tuple(part / one.radius for part in rw)
     first = row_of(one, Motion((speed, 0.0), (turn[0], turn[1], turn[2])))
     second = row_of(two, REST, _below(phi, one.radius + two.radius))
-    strike_apart(first, second, pack_world(world))
+    for row in (first, second):
+        row[state.SLIDING] = world.cloth.sliding
+    part(first, second, pack_world(world))
     return Met(
         v=(first[[state.VX, state.VY]], second[[state.VX, state.VY]]),
         rw=tuple(

@@ -34,6 +34,12 @@ def need(check: Check, wanted: Wanted, *names: str) -> float:
     return check.number(*names)
 
 
+def need_or(check: Check, wanted: Wanted, name: str, usual: float) -> float:
+    """Return an input as `need` does, or the usual one where neither gives it."""
+    value = told(wanted, name)
+    return check.number(name, default=usual) if value is None else value
+
+
 def spoken(check: Check, name: str, pattern: str) -> float:
     """Return a field, or else the number that the check's words give by a pattern."""
     if check.has(name):

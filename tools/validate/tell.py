@@ -6,14 +6,14 @@ from collections import Counter
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from tools.validate.check import FAIL, NOT_APPLICABLE, PASS
+from tools.validate.check import DIFFERS, FAIL, NOT_APPLICABLE, PASS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from tools.validate.check import Answer, Result
 
-ORDER = (PASS, FAIL, NOT_APPLICABLE)
+ORDER = (PASS, FAIL, DIFFERS, NOT_APPLICABLE)
 
 
 def tell(result: Result) -> str:
@@ -29,7 +29,8 @@ def _line(answer: Answer) -> str:
         got = "" if answer.got is None else f", got {_short(answer.got)}"
         return f"{told}{got}  not-applicable: {answer.reason}"
     limit = f"tolerance {wanted.tol:g} {wanted.mode}"
-    return f"{told}, got {_short(answer.got)} {wanted.unit}  ({limit})  {answer.status}"
+    by = f": {answer.reason.removeprefix(wanted.quantity).strip()}" if answer.reason else ""
+    return f"{told}, got {_short(answer.got)} {wanted.unit}  ({limit})  {answer.status}{by}"
 
 
 def _short(value: object) -> str:
@@ -88,8 +89,8 @@ def as_table(results: Sequence[Result]) -> str:
     """Return a table by group: how many checks pass, fail, are not applicable, and why not."""
     groups = dict.fromkeys(result.check.group for result in results)
     lines = [
-        "| group | pass | fail | not applicable | parts left out, and why |",
-        "|---|--:|--:|--:|---|",
+        "| group | pass | fail | differ | not applicable | parts left out or different |",
+        "|---|--:|--:|--:|--:|---|",
     ]
     for group in groups:
         own = [result for result in results if result.check.group == group]
