@@ -44,7 +44,7 @@ def judge_shot(
 ) -> Verdict:
     """Return the verdict on a shot whose events are known, or that is only a choice."""
     chosen = take_choice(variant, situation, shot, explain=explain)
-    if shot.is_only_choice:
+    if shot.is_only_choice or chosen.after.over:
         return chosen
     return _judge_stroke(variant, chosen.after, shot, explain=explain)
 
