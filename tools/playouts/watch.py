@@ -6,7 +6,6 @@ Invariant: nothing here knows a game.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
 from math import hypot
@@ -17,6 +16,7 @@ from engine.game.referee import look_ahead
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from random import Random
 
     from engine.game.shot import Shot
@@ -51,9 +51,7 @@ def faults(variant: Variant, before: Situation, shot: Shot, verdict: Verdict) ->
     yield from _stuck(variant, after)
 
 
-def _balls(
-    variant: Variant, before: Situation, shot: Shot, verdict: Verdict
-) -> Iterator[str]:
+def _balls(variant: Variant, before: Situation, shot: Shot, verdict: Verdict) -> Iterator[str]:
     after = verdict.after
     known = {ball.id for ball in variant.balls}
     lost = before.on_table - after.on_table
@@ -108,7 +106,7 @@ def _stuck(variant: Variant, after: Situation) -> Iterator[str]:
             yield "no ball that may be struck is on the table"
     elif cue not in after.on_table:
         yield f"player {after.shooter} has no cue ball"
-    if not after.on_table - {cue}:
+    if not after.on_table - {cue} and not after.strikable:
         yield "there is no ball left to play at, and the game goes on"
     elif variant.program.on is not None and not look_ahead(variant, after).on - {cue}:
         yield "no ball is on, and the game goes on"
@@ -116,9 +114,7 @@ def _stuck(variant: Variant, after: Situation) -> Iterator[str]:
 
 def shuffled(program: Program, rng: Random) -> Program:
     """Return a program with the rules of every section in another order."""
-    order = {
-        rule.number: rng.random() for rules in program.compiled.values() for rule in rules
-    }
+    order = {rule.number: rng.random() for rules in program.compiled.values() for rule in rules}
 
     def mixed(rules: tuple[CompiledRule, ...]) -> tuple[CompiledRule, ...]:
         return tuple(sorted(rules, key=lambda rule: order[rule.number]))
