@@ -309,3 +309,54 @@ def test_a_hard_driven_pin_stays_on_the_bed(turn):
     head = [lying.foot[k] + 0.12 * lying.way[k] for k in (0, 1)]
     assert abs(head[0]) <= world.table.length / 2
     assert abs(head[1]) <= world.table.width / 2
+
+
+def flying(profile=TALL):
+    world = with_pins({"a": (0.0, 0.0), "b": (0.09, 0.0)}, profile, n=1)
+    return replace(world, models=replace(world.models, flight="ballistic"))
+
+
+@pytest.mark.parametrize("speed", [2.0, 3.5, 5.0, 7.0])
+@pytest.mark.parametrize("elevation", [0.15, 0.3, 0.6, 1.0])
+@pytest.mark.parametrize("profile", [TALL, SHORT])
+def test_a_flying_ball_fells_the_pins_it_meets_and_clears_those_it_passes_over(
+    speed, elevation, profile
+):
+    world = flying(profile)
+    layout = {"b0": (-0.25, 0.001)}
+    trace = simulate(world, layout, "b0", Strike(speed, 0.0, elevation))
+    assert not examine(trace, world).faults()
+    down = {one.pin: one.time for one in trace.events() if isinstance(one, PinToppled)}
+    for pin in world.table.pins:
+        first = min((one.time for one in trace.events()), default=0.0)
+        times = np.linspace(0.0, down.get(pin.id, max(first, 0.4)), 4000)
+        x, y, z = trace.positions(times)[:, 0].T
+        away = np.hypot(x - pin.at[0], y - pin.at[1]) - (meeting(profile, R)[0] - R)
+        over = np.maximum(z - max(pin.height, R), 0.0)
+        assert (np.hypot(np.maximum(away, 0.0), over) > R - 1e-6).all()
+
+
+def test_a_ball_that_comes_down_on_a_pin_fells_it_and_stays_in_the_game():
+    world = flying()
+    felled_from_above = 0
+    for speed in np.linspace(1.2, 3.0, 60):
+        trace = simulate(world, {"b0": (-0.3, 0.0)}, "b0", Strike(float(speed), 0.0, 1.0))
+        assert not examine(trace, world).faults()
+        for one in trace.events():
+            if isinstance(one, PinToppled):
+                felled_from_above += trace.positions([one.time])[0, 0, 2] > 0.1
+        assert "b0" in trace.final
+    assert felled_from_above
+
+
+def test_a_pin_felled_by_another_ball_is_out_of_the_way_of_a_flying_one():
+    world = replace(with_pins({"a": (0.0, 0.0)}, n=2))
+    world = replace(world, models=replace(world.models, flight="ballistic"))
+    layout = {"b0": (-0.45, 0.0), "b1": (0.0, -0.09)}
+    alone = simulate(world, layout, "b0", Strike(4.0, 0.0, 0.2))
+    assert [one.by for one in alone.events() if isinstance(one, PinToppled)] == [("b0",)]
+    chunked, until = Simulation(world, layout, "b0", Strike(4.0, 0.0, 0.2)), 0.0
+    while not chunked.finished:
+        until += 1 / 300
+        chunked.advance(until)
+    assert chunked.trace().hash() == alone.hash()
