@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from engine.app.words import Line, ball_name, cited, next_words, player_name, spoken
-from rulelang.events import LeftTable, Pocketed
+from rulelang.events import LeftTable, PinToppled, Pocketed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -57,7 +57,8 @@ def _happened(variant: Variant, verdict: Verdict) -> list[Line]:
             )
         elif isinstance(event, LeftTable):
             lines.append(Line(f"{ball_name(variant, event.ball)} left the table"))
-    return lines
+    fell = [spoken(event.pin) for event in verdict.events if isinstance(event, PinToppled)]
+    return [*lines, Line(capital(f"{', '.join(fell)} fell"))] if fell else lines
 
 
 def _put_back(variant: Variant, verdict: Verdict) -> list[Line]:
