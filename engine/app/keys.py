@@ -129,6 +129,7 @@ BINDINGS: tuple[Binding, ...] = (
     Binding("sound", ("m",), "M", "sound on or off", VIEW),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
     Binding("help", ("f1",), "F1", "this page", GAME),
+    Binding("rules", ("f2",), "F2", "the rules of the game, as its script has them", GAME),
     Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),
     Binding("undo", ("u",), "U", "take the last shot back", GAME),
     Binding("redo", ("y",), "Y", "play the shot taken back again", GAME),

@@ -135,7 +135,7 @@ class Loop:
             if self.page is Page.MENU and key in ("return", "enter", "space"):
                 self._answer(Ask(MENU[min(max(self.scroll, 0), len(MENU) - 1)][0]))
                 return
-            if key in ("escape", "f1", "h", "return", "enter", "space"):
+            if key in ("escape", "f1", "f2", "h", "return", "enter", "space"):
                 self.page = None
                 return
         screen = self.screen()
@@ -195,7 +195,7 @@ class Loop:
             case "sound":
                 self.speaker.muted = not self.speaker.muted
                 self._note("sound off" if self.speaker.muted else "sound on")
-            case "help" | "why" | "menu":
+            case "help" | "why" | "rules" | "menu":
                 self.page, self.scroll = Page[ask.action.upper()], 0
             case "save":
                 self.page = None

@@ -13,7 +13,7 @@ import pygame
 
 from engine.app import keys
 from engine.app.pen import FAINT, GOLD, TEXT, TONES
-from engine.app.telling import explanation_lines
+from engine.app.telling import explanation_lines, rules_lines
 from engine.app.words import Line, player_name
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ class Page(Enum):
 
     HELP = "Keys"
     WHY = "What the referee looked at"
+    RULES = "The rules"
     MENU = "Menu"
 
 
@@ -43,6 +44,7 @@ MENU = (
     ("resume", "Go on playing"),
     ("help", "Keys"),
     ("why", "The referee's explanation"),
+    ("rules", "The rules of this game"),
     ("save", "Save the last shot as a record"),
     ("games", "Another game (the match is kept)"),
     ("quit", "Quit (the match is kept)"),
@@ -55,6 +57,8 @@ def rows_of(page: Page, session: Session, keymap: Keymap) -> list[Row]:
         return _help(keymap)
     if page is Page.WHY:
         return _why(session)
+    if page is Page.RULES:
+        return [Row(line) for line in rules_lines(session.variant)]
     return [Row(Line(text), hot=f"ask:{name}") for name, text in MENU]
 
 

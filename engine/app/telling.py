@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from engine.app.words import Line, ball_name, cited, next_words, player_name, spoken
+from engine.app.words import Line, ball_name, capital, cited, next_words, player_name, spoken
 from rulelang.events import LeftTable, PinToppled, Pocketed
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from engine.game.verdict import Spotted, Verdict
     from engine.variant.variant import Variant
     from rulelang.decisions import RuleOutcome
+    from rulelang.program import RuleInfo
 
 
 def verdict_lines(variant: Variant, played: Played) -> list[Line]:
@@ -105,3 +106,36 @@ def _where(spotted: Spotted) -> str:
     if spotted.spot is None:
         return "on the table"
     return f"{'on' if spotted.on else 'near'} the {spoken(spotted.spot)}"
+
+
+MOMENTS = {
+    "before shot": "Before a shot",
+    "fouls": "Fouls",
+    "points": "Points",
+    "turn": "Whose turn it is",
+    "table": "What comes back or goes",
+    "next shot": "The next shot",
+    "ending": "How it ends",
+}
+"""The sections of a script in a player's words; others are said as the script has them."""
+
+
+def rules_lines(variant: Variant) -> list[Line]:
+    """Return a game's rules by section, each with what it cites and the script's own words."""
+    lines = [Line(f"{variant.title}, by the {variant.rulebook}", "good")]
+    section = ""
+    for rule in variant.program.rules:
+        if rule.section != section:
+            section = rule.section
+            lines += [Line(""), Line(MOMENTS.get(section, capital(section)), "head")]
+        lines.append(Line(f"  {rule.name}{cited(rule.cites)}", "good"))
+        lines += [Line(f"      {text}", "faint") for text in _body(rule)]
+    return lines
+
+
+def _body(rule: RuleInfo) -> list[str]:
+    """Return a rule's words after its name and sections, one line for each of the script's."""
+    head, _, body = rule.text.removeprefix(f'"{rule.name}"').partition(":")
+    _, overrides, others = head.partition("overrides")
+    first = [f"in place of {others.strip()}"] if overrides else []
+    return [*first, *(line.strip() for line in body.splitlines() if line.strip())]

@@ -39,6 +39,7 @@ WINDOW = (
     "sound",
     "text",
     "help",
+    "rules",
     "save",
     "why",
     "menu",
