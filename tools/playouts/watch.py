@@ -106,10 +106,11 @@ def _stuck(variant: Variant, after: Situation) -> Iterator[str]:
             yield "no ball that may be struck is on the table"
     elif cue not in after.on_table:
         yield f"player {after.shooter} has no cue ball"
-    if not after.on_table - {cue} and not after.strikable:
+    if variant.program.on is not None:
+        if not look_ahead(variant, after).on:
+            yield "no ball is on, and the game goes on"
+    elif not after.on_table - {cue}:
         yield "there is no ball left to play at, and the game goes on"
-    elif variant.program.on is not None and not look_ahead(variant, after).on - {cue}:
-        yield "no ball is on, and the game goes on"
 
 
 def shuffled(program: Program, rng: Random) -> Program:
