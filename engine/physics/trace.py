@@ -182,7 +182,7 @@ class Trace:
             one, two = sorted((first, second)) if kind == state.TOUCHING else (first, second)
             before = last.get((kind, one, two), -1.0)
             last[kind, one, two] = row[state.E_TIME]
-            resting = kind in _LASTING and row[state.E_SPEED] < state.SOFT
+            resting = kind in _LASTING and row[state.E_SPEED] <= GENTLE
             if not (resting and row[state.E_TIME] - before <= RESTING):
                 told.append(row)
         return told
@@ -278,6 +278,9 @@ def _aloft(rows: Floats) -> NDArray[np.bool_]:
 _LASTING = (state.TOUCHING, state.NOSE, state.ROLLING, state.STOPPED)
 RESTING = 0.02
 """Bounces of one contact that follow each other within this time (s) are one rest."""
+
+GENTLE = (1.0 + 1e-9) * state.SOFT
+"""The speed (m/s) of such bounces at most, give or take rounding."""
 
 _DEPARTURES = (float(state.DROPPED), float(state.LEFT))
 
