@@ -83,13 +83,17 @@ def standing(
 ) -> tuple[bool, ...]:
     """Return which pins can be put up beside balls at these places: those with air around them.
 
-    Source: DDBU Keglebillard, a pin whose place is blocked waits until the place is free.
+    `radii` (m) has all balls that there are; a pin keeps as far from a small ball as from the
+    surface of the largest one. Source: DDBU Keglebillard, a pin whose place is blocked waits.
     """
+    largest = max(radii.values(), default=0.0)
+
+    def needs(pin: Pin, radius: float) -> float:
+        own = meeting(pin.profile, radius)[0]
+        return max(own, meeting(pin.profile, largest)[0] - largest + radius) + AIR
+
     return tuple(
-        all(
-            _square(pin.at, at) >= (meeting(pin.profile, radii[ball])[0] + AIR) ** 2
-            for ball, at in balls.items()
-        )
+        all(_square(pin.at, at) >= needs(pin, radii[ball]) ** 2 for ball, at in balls.items())
         for pin in pins
     )
 

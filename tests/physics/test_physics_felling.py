@@ -360,3 +360,17 @@ def test_a_pin_felled_by_another_ball_is_out_of_the_way_of_a_flying_one():
         until += 1 / 300
         chunked.advance(until)
     assert chunked.trace().hash() == alone.hash()
+
+
+@pytest.mark.parametrize("profile", [TALL, SHORT])
+def test_a_pin_that_stands_is_met_by_whatever_ball_lies_beside_it(profile):
+    small, large = Ball(BallId("b0"), 0.024, 0.1), Ball(BallId("b1"), 0.034, 0.28)
+    world = replace(with_pins({"a": (0.0, 0.0)}, profile, n=2), balls=(small, large))
+    stood = 0
+    for away in np.linspace(0.02, 0.04, 60):
+        layout = {"b0": (-float(away), 0.0), "b1": (1.0, 0.4)}
+        trace = simulate(world, layout, "b0", Strike(1.0, 0.0))
+        there = bool(trace.pins.standing)
+        stood += there
+        assert ("a" in felled(trace)) == there
+    assert 10 < stood < 50
