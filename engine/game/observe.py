@@ -108,7 +108,7 @@ def _translate(event: seen.Event, struck: BallId) -> told.Event | None:
             return told.PinToppled(by, pin, time)
         case seen.PinTouched(time, pin, by):
             return told.PinTouched(by, pin, time)
-        case seen.RollingBegan() | seen.BallStopped() | seen.BallLanded():
+        case seen.RollingBegan() | seen.BallStopped() | seen.BallLanded() | seen.BallLeftBed():
             return None
 
 

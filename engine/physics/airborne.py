@@ -28,8 +28,10 @@ from engine.physics.state import (
     N_HIY,
     N_LOX,
     N_LOY,
+    N_PIN,
     N_SIZE,
     N_SPAN,
+    N_UPRIGHT,
     N_X,
     N_Y,
     RADIUS,
@@ -99,7 +101,7 @@ def inside(noses: Floats, x: float, y: float) -> bool:
     total, any_nose = 0.0, False
     for k in range(noses.shape[0]):
         nose = noses[k]
-        if nose[N_SIZE] == 0.0:
+        if nose[N_SIZE] == 0.0 or nose[N_PIN] >= 0.0:
             continue
         any_nose = True
         total += _turn_straight(nose, x, y) if nose[N_CURVED] == 0.0 else _turn_arc(nose, x, y)
@@ -134,6 +136,18 @@ def _turn_arc(nose: Floats, x: float, y: float) -> float:
 
 
 @kernel
+def on_rail(noses: Floats, x: float, y: float, width: float) -> bool:
+    """Say whether a point behind the noses lies no farther than `width` (m) from one."""
+    for k in range(noses.shape[0]):
+        if noses[k, N_PIN] >= 0.0:
+            continue
+        px, py = nearest(noses[k], x, y)
+        if (x - px) ** 2 + (y - py) ** 2 <= width * width:
+            return True
+    return False
+
+
+@kernel
 def nearest(nose: Floats, x: float, y: float) -> tuple[float, float]:
     """Return the point (m) of a nose that is nearest to (x, y)."""
     dx, dy = x - nose[N_X], y - nose[N_Y]
@@ -155,6 +169,10 @@ def nearest(nose: Floats, x: float, y: float) -> tuple[float, float]:
 def _gap(ball: Floats, nose: Floats, world: Floats, t: float) -> float:
     x, y = ball[X] + t * ball[VX], ball[Y] + t * ball[VY]
     z = ball[Z] + t * (ball[VZ] - 0.5 * world[G_GRAVITY] * t) - world[G_NOSE]
+    if nose[N_PIN] >= 0.0:
+        wide = max(sqrt((x - nose[N_X]) ** 2 + (y - nose[N_Y]) ** 2) - nose[N_SIZE], 0.0)
+        over = max(z + world[G_NOSE] - max(nose[N_UPRIGHT], ball[RADIUS]), 0.0)
+        return sqrt(wide * wide + over * over) - ball[RADIUS]
     px, py = nearest(nose, x, y)
     return sqrt((x - px) ** 2 + (y - py) ** 2 + z * z) - ball[RADIUS]
 
@@ -189,6 +207,8 @@ def nose_in_air(ball: Floats, nose: Floats, world: Floats, last: float) -> float
 def _closing(ball: Floats, nose: Floats, world: Floats) -> float:
     px, py = nearest(nose, ball[X], ball[Y])
     dx, dy, dz = px - ball[X], py - ball[Y], world[G_NOSE] - ball[Z]
+    if nose[N_PIN] >= 0.0:
+        dz = min(max(nose[N_UPRIGHT], ball[RADIUS]) - ball[Z], 0.0)
     reach = sqrt(dx * dx + dy * dy + dz * dz)
     return (dx * ball[VX] + dy * ball[VY] + dz * ball[VZ]) / reach
 
@@ -297,6 +317,7 @@ __all__ = [
     "inside",
     "nearest",
     "nose_in_air",
+    "on_rail",
     "over_pocket",
     "pair_in_air",
 ]

@@ -62,11 +62,20 @@ class BallLeftTable:
 
 @dataclass(frozen=True, slots=True)
 class BallLanded:
-    """A flying ball came down on the bed with vertical speed `speed`, m/s."""
+    """A flying ball came down on the bed, or on the `rail`, with vertical speed `speed`, m/s."""
 
     time: float
     ball: BallId
     speed: float
+    rail: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class BallLeftBed:
+    """A ball began to fly; bounces of one that flies are not told again."""
+
+    time: float
+    ball: BallId
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +128,7 @@ Event = (
     | BallPocketed
     | BallLeftTable
     | BallLanded
+    | BallLeftBed
     | BallJumpedOver
     | PinToppled
     | PinTouched

@@ -8,7 +8,7 @@ arrays change at events alone, so stopping and resuming changes no bit.
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +19,7 @@ from engine.physics.airborne import (
     inside,
     nearest,
     nose_in_air,
+    on_rail,
     over_pocket,
     pair_in_air,
 )
@@ -28,30 +29,41 @@ from engine.physics.motion import begin
 from engine.physics.predict import NEVER
 from engine.physics.record import close, move, note
 from engine.physics.state import (
+    ASK,
     ASK_ALARM,
+    ASK_NOSE,
     AX,
     AY,
     BX,
     BY,
     C_ALARM,
     CAP,
+    DOWN,
     DROPPED,
     END,
     EVENTS,
     FLY,
+    FULL,
     G_GRAVITY,
     G_NOSE,
+    G_RAIL,
     GONE,
     K_NOSE,
     K_NOSE_TIME,
+    K_TOUCHED,
     LANDED,
     LEFT,
+    N_PIN,
     NOSE,
+    ON_RAIL,
+    PAUSED,
     PIECES,
     RADIUS,
     REST,
+    RUN,
     STARTED,
     STOPPED,
+    STORM,
     T0,
     TOUCHING,
     VX,
@@ -64,7 +76,7 @@ from engine.physics.state import (
     Y,
     Z,
 )
-from engine.physics.stepwise import ASK, DOWN, FULL, PAUSED, STORM, ask, run
+from engine.physics.stepwise import ask, run
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -102,9 +114,9 @@ def run_flying(
         args = (pairs, foreseen, pieces, events, counts, clock, -1.0)
         run(balls, bedded, world, noses, pockets, *args)
         _show(kinds, bedded)
-        for i in range(n):
-            if kinds[i] == FLY:
-                _soar(balls[i], world, noses, pockets, foreseen[i])
+    for i in range(n):  # what was asked may have changed balls and pins
+        if kinds[i] == FLY:
+            _soar(balls[i], world, noses, pockets, foreseen[i])
     while True:
         if counts[PIECES] + spare > pieces.shape[0] or counts[EVENTS] + spare > events.shape[0]:
             return FULL
@@ -136,6 +148,9 @@ def run_flying(
         elif what == IN_NOSE:
             _advance(balls[who], kinds[who], world, pieces, counts, who, now)
             nose = int(foreseen[who, K_NOSE])
+            if noses[nose, N_PIN] >= 0.0:
+                foreseen[who, K_TOUCHED] = 1.0
+                return ask(counts, clock, ASK_NOSE, who, nose, now)
             px, py = nearest(noses[nose], balls[who, X], balls[who, Y])
             speed = meet_nose(balls[who], world, noses[nose], px, py)
             note(events, counts, NOSE, now, who, float(nose), speed)
@@ -254,7 +269,7 @@ def _come_down(
     who: int,
     now: float,
 ) -> int:
-    """Let a fall end: on the rail, in a pocket, or on the bed, off which it may bounce."""
+    """Let a fall end: in a pocket, off the table, or on bed or rail, off which it may bounce."""
     pocket = over_pocket(pockets, ball[X], ball[Y], 1.0)
     off = not inside(noses, ball[X], ball[Y])
     high = ball[Z] > ball[RADIUS] + 0.5 * world[G_NOSE]
@@ -262,6 +277,12 @@ def _come_down(
         pocket = over_pocket(pockets, ball[X], ball[Y], BACK)
     if pocket >= 0 and not high:
         note(events, counts, DROPPED, now, who, float(pocket), 0.0)
+    elif (
+        high
+        and on_rail(noses, ball[X], ball[Y], world[G_RAIL])
+        and _bounce_on_rail(ball, world, events, counts, who, now)
+    ):
+        return FLY
     elif off or high:
         note(events, counts, LEFT, now, who, -1.0, 0.0)
     else:
@@ -272,6 +293,27 @@ def _come_down(
     ball[AX] = ball[AY] = ball[BX] = ball[BY] = 0.0
     ball[END] = inf
     return GONE
+
+
+@kernel
+def _bounce_on_rail(
+    ball: Floats, world: Floats, events: Floats, counts: Ints, who: int, now: float
+) -> bool:
+    """Let a ball bounce, or run on by small hops, on top of the rail; say whether it goes on."""
+    speed = meet_bed(ball, world)
+    ball[Z] = world[G_NOSE] + ball[RADIUS]
+    if speed * speed > 4.0 * world[G_GRAVITY] * RUN:
+        note(events, counts, LANDED, now, who, ON_RAIL, speed)
+    if ball[VZ] > 0.0:
+        return True
+    square, pay = ball[VX] ** 2 + ball[VY] ** 2, 2.0 * world[G_GRAVITY] * RUN
+    if square <= 2.0 * pay:
+        return False
+    factor = sqrt(1.0 - pay / square)
+    ball[VX] *= factor
+    ball[VY] *= factor
+    ball[VZ] = sqrt(pay) * (1.0 - 1e-12)
+    return True
 
 
 @kernel_with_arrays

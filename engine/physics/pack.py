@@ -221,7 +221,7 @@ def pack_world(world: World) -> NDArray[np.float64]:
     _choose(dict.fromkeys(FLIGHTS, 0), models.flight, "flight")
     row[state.G_OUT_X] = table.length / 2.0 + reach
     row[state.G_OUT_Y] = table.width / 2.0 + reach
-    row[state.G_BED] = cloth.bounce
+    row[state.G_BED], row[state.G_RAIL] = cloth.bounce, table.rail_width
     return row
 
 
@@ -230,6 +230,10 @@ def _choose(names: Mapping[str, int], name: str, what: str) -> int:
         message = f"unknown {what} model {name!r}; there are: {', '.join(names)}"
         raise ValueError(message)
     return names[name]
+
+
+LIVELIEST = 0.95
+"""The greatest restitution of a bed: balls on a livelier one would bounce for too long."""
 
 
 def _check_world(world: World) -> None:
@@ -253,6 +257,9 @@ def _check_world(world: World) -> None:
         if not (isfinite(number) and number > 0.0):
             message = f"{what} must be above zero, not {number}"
             raise ValueError(message)
+    if not 0.0 <= cloth.bounce <= LIVELIEST:
+        message = f"the restitution of ball on bed lies between 0 and {LIVELIEST}: {cloth.bounce}"
+        raise ValueError(message)
     for what, number in _restitutions(world):
         if not 0.0 <= number <= 1.0:
             message = f"the restitution of {what} lies between 0 and 1, not at {number}"
@@ -271,7 +278,6 @@ def _restitutions(world: World) -> list[tuple[str, float]]:
     found = [
         ("ball on ball", world.contact.restitution),
         ("ball on cushion", world.rubber.restitution),
-        ("ball on bed", world.cloth.bounce),
     ]
     found += [(str(b.id), b.restitution) for b in world.balls if b.restitution is not None]
     found += [(str(c.id), c.rubber.restitution) for c in table.cushions if c.rubber]

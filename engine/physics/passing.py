@@ -1,8 +1,9 @@
-"""Who jumped over whom: read off the flights of a trace.
+"""Who left the bed, and who jumped over whom: read off the flights of a trace.
 
-One idea: a ball has passed over another when their centres, seen from above, come nearest to each
-other at less than the sum of the radii while it flies above; so one that comes down on the near
-side has not passed. Invariant: reading changes nothing, and a passage is told once.
+One idea: flights are pieces like all others, so what happens in them can be told afterwards. A
+ball has passed over another when their centres, seen from above, come nearest to each other at
+less than the sum of the radii while it flies above; so one that comes down on the near side has
+not passed. Invariant: reading changes nothing, and a passage is told once.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.events import BallJumpedOver
+from engine.physics.events import BallJumpedOver, BallLeftBed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
+LEVEL = 1e-9
+"""A ball no higher than this (m) above the bed lies on it."""
+
 
 def jumps(trace: Trace) -> list[BallJumpedOver]:
     """Return who passed over whom, in order of time."""
@@ -31,6 +35,18 @@ def jumps(trace: Trace) -> list[BallJumpedOver]:
         for row in trace.pieces[trace.pieces[:, state.P_KIND] == state.FLY]
         for time, other in _passages(trace, row)
     ]
+    return sorted(found, key=lambda event: event.time)
+
+
+def liftoffs(trace: Trace) -> list[BallLeftBed]:
+    """Return who left the bed and when, in order of time; a bounce in a flight is no new one."""
+    rows, found = trace.pieces, []
+    flies = rows[:, state.P_KIND] == state.FLY
+    for k in np.flatnonzero(flies):
+        ball = int(rows[k, state.P_BALL])
+        bounced = k > 0 and flies[k - 1] and rows[k - 1, state.P_BALL] == ball
+        if not bounced and rows[k, state.P_Z] <= trace.balls[ball].radius + LEVEL:
+            found.append(BallLeftBed(float(rows[k, state.P_T0]), trace.balls[ball].id))
     return sorted(found, key=lambda event: event.time)
 
 
@@ -97,4 +113,4 @@ def _place(trace: Trace, row: Floats, time: float) -> Floats:
     return place
 
 
-__all__ = ["jumps"]
+__all__ = ["jumps", "liftoffs"]

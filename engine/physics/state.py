@@ -45,6 +45,9 @@ it is a ball, or another pin k as -1 - k. A pin toppled has the impulse it got i
 Floats, since a kernel is compiled anew for every whole number it is called with.
 """
 
+ON_RAIL = -2.0
+"""The second of a landing that was on top of the rail, and not on the bed."""
+
 (
     G_THRESHOLD,
     G_GRAVITY,
@@ -62,10 +65,12 @@ Floats, since a kernel is compiled anew for every whole number it is called with
     G_BED,
     G_E_SLOPE,
     G_E_KNEE,
-) = range(16)
-WORLD_WIDTH = 16
+    G_RAIL,
+) = range(17)
+WORLD_WIDTH = 17
 """The world's numbers: cloth, contact, nose height, models, the gap (m) up to which balls take part
-in one blow, the outer bounds, the bed's restitution, and how that of two balls falls with speed.
+in one blow, the outer bounds, the bed's restitution, how that of two balls falls with speed, and
+how wide the rail is behind the noses.
 What may differ from ball to ball, nose to nose and pocket to pocket stands in their rows."""
 
 N_CURVED, N_X, N_Y, N_DX, N_DY, N_SIZE, N_SPAN, N_LOX, N_LOY, N_HIX, N_HIY = range(11)
@@ -116,6 +121,9 @@ SOFT = 1e-3
 
 HOP = 1e-3
 """A bounce off the bed that would rise less than this (m) does not rise at all."""
+
+RUN = 2.5e-4
+"""How high (m) the hops are that carry a ball along the top of the rail, paid for by its speed."""
 
 KICK = 1e-3
 """The least speed (m/s) at which a resting contact bounces, paid for by the balls' spin."""

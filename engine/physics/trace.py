@@ -62,9 +62,10 @@ class Trace:
         told = _together([self._event(row) for row in self._told()])
         if not self.flies:
             return tuple(told)
-        from engine.physics.passing import jumps  # noqa: PLC0415  only flights need it
+        from engine.physics.passing import jumps, liftoffs  # noqa: PLC0415  only flights need it
 
-        return tuple(sorted([*told, *jumps(self)], key=lambda event: event.time))
+        seen = [*told, *liftoffs(self), *jumps(self)]
+        return tuple(sorted(seen, key=lambda event: event.time))
 
     def positions(self, times: ArrayLike) -> Floats:
         """Return the centres (T, n, 3) in m; a ball that is gone rests below the bed."""
@@ -230,7 +231,7 @@ class Trace:
         if kind == state.LEFT:
             return happened.BallLeftTable(time, ball)
         if kind == state.LANDED:
-            return happened.BallLanded(time, ball, speed)
+            return happened.BallLanded(time, ball, speed, rail=second == state.ON_RAIL)
         if kind == state.ROLLING:
             return happened.RollingBegan(time, ball)
         if kind == state.STOPPED:
