@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from rulelang.code import Code, Run
     from rulelang.vocabulary import Value, Vocabulary
@@ -148,3 +148,14 @@ class Program:
     timers: Mapping[str, Timer] = field(default_factory=dict)
     mates: int = 0
     """How many players a side has, 0 where each plays for himself."""
+
+
+def by_section(rules: Iterable[RuleInfo]) -> list[RuleInfo]:
+    """Return rules in the order in which the referee asks: starts, the sections, ends."""
+
+    def place(rule: RuleInfo) -> int:
+        if rule.section in STAGE:
+            return STAGE[rule.section]
+        return -1 if rule.section.endswith("start") else CONSEQUENCE
+
+    return sorted(rules, key=place)

@@ -174,6 +174,18 @@ def files() -> Mapping[str, Callable[[], str]]:
     return {**schemas, "editors/vscode/rules.tmLanguage.json": _textmate}
 
 
+def pages() -> Mapping[str, Callable[[], str]]:
+    """Return the pages on games, which end with what the game's files say."""
+    from tools.game_pages import PAGES, with_files  # noqa: PLC0415
+
+    return {
+        str(path.relative_to(ROOT)): partial(
+            with_files, path.read_text(encoding="utf-8"), path.stem
+        )
+        for path in sorted(PAGES.glob("*.md"))
+    }
+
+
 def remade(text: str) -> str:
     """Return a document with every marked block made anew."""
     return BLOCK.sub(lambda found: found[1] + MAKERS[found[2]]() + found[3], text)
@@ -194,7 +206,7 @@ def main() -> int:
             stale.append(path.relative_to(ROOT))
             if not check:
                 path.write_text(fresh, encoding="utf-8")
-    for name, make in files().items():
+    for name, make in {**files(), **pages()}.items():
         path = ROOT / name
         fresh = make()
         if path.exists() and path.read_text(encoding="utf-8") == fresh:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from engine.app.words import Line, ball_name, capital, cited, next_words, player_name, spoken
 from rulelang.events import LeftTable, PinToppled, Pocketed
+from rulelang.program import by_section
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -124,7 +125,7 @@ def rules_lines(variant: Variant) -> list[Line]:
     """Return a game's rules by section, each with what it cites and the script's own words."""
     lines = [Line(f"{variant.title}, by the {variant.rulebook}", "good")]
     section = ""
-    for rule in variant.program.rules:
+    for rule in by_section(variant.program.rules):
         if rule.section != section:
             section = rule.section
             lines += [Line(""), Line(MOMENTS.get(section, capital(section)), "head")]
