@@ -103,6 +103,9 @@ def check(variants: Sequence[str], *, as_json: bool) -> None:
     Without a name, all games at hand are checked. Exit status 0: no mistake, 1: mistakes,
     2: a variant cannot be found.
     """
+    import gc  # noqa: PLC0415
+
+    gc.set_threshold(100_000)  # short work: looking for garbage costs more than it frees
     from engine.variant.library import VariantError, resolve  # noqa: PLC0415
     from engine.variant.load import check_variant, list_variants  # noqa: PLC0415
 

@@ -17,7 +17,7 @@ from rulelang.declarations import Declarations
 from rulelang.defines import defined
 from rulelang.diagnostics import Diagnostic, ScriptError
 from rulelang.meaning import check_meaning
-from rulelang.parse import parse
+from rulelang.parse import MOST_TOLD, parse
 from rulelang.program import (
     CONSEQUENCE,
     SECTIONS,
@@ -94,7 +94,7 @@ class _Work:
         found = sorted(
             unique.values(), key=lambda d: (order.get(d.file, 0), d.line, d.column, d.code)
         )
-        return tuple(found)
+        return tuple(found[:MOST_TOLD])
 
     def tell(self, script: s.Script, trouble: Mistake, severity: str = "error") -> None:
         """Keep a mistake with its place and source line."""
@@ -189,6 +189,8 @@ class _Work:
         """Compile the defines that no rule reads, for their mistakes."""
         for script in self.scripts:
             for node in script.declarations:
+                if len(self.diagnostics) >= MOST_TOLD:
+                    return
                 if isinstance(node, s.Define) and scope.defines.get(node.name) is node:
                     self._define(scope, script, node)
                 if isinstance(node, s.Fact) and node.asked_on is not None:
@@ -228,6 +230,8 @@ class _Work:
         for script in self.scripts:
             for rule in script.rules:
                 number = len(made)
+                if len(self.diagnostics) >= MOST_TOLD:
+                    return made
                 try:
                     compiled, codes = self._rule(scope, script, rule, number)
                 except Mistake as trouble:

@@ -17,6 +17,15 @@ if TYPE_CHECKING:
     from rulelang.expressions import Expressions
 
 
+DEEPEST = 40
+"""How many defines may lean on each other in a row."""
+
+
+def _too_deep(name: str, at: s.Span) -> Mistake:
+    message = f'"{name}" is the last of more than {DEEPEST} defines that read each other in a row'
+    return Mistake("R109", at, message, "say some of them in one")
+
+
 def defined(x: Expressions, name: str, at: s.Span) -> Code:
     """Return the Code of a define, compiled on first use."""
     scope = x.scope
@@ -33,7 +42,10 @@ def defined(x: Expressions, name: str, at: s.Span) -> Code:
                 "R405", at, f'"{name}" reads itself: by way of {circle}', "break the circle"
             )
         scope.busy.append(name)
+        scope.below.append(0)
         try:
+            if len(scope.busy) > DEEPEST:
+                raise _too_deep(name, at)
             scope.compiled[key] = cases(x.inside(name, frozen=frozen), node)
         except Mistake as trouble:
             trouble.owner = trouble.owner or name
@@ -41,6 +53,11 @@ def defined(x: Expressions, name: str, at: s.Span) -> Code:
             raise
         finally:
             scope.busy.pop()
+            scope.depths[name] = max(scope.depths.get(name, 0), 1 + scope.below.pop())
+    if scope.below:
+        scope.below[-1] = max(scope.below[-1], scope.depths.get(name, 1))
+        if scope.below[-1] >= DEEPEST:
+            raise _too_deep(name, at)
     made = scope.compiled[key]
     return derive(
         made, made.kind, made.run, truth=made.truth, domain=made.domain, needs=made.needs,

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     Tell = Callable[..., None]
 
 
+_MOST_PAIRS = 100_000
+"""How many pairs of decisions are compared; no game for people has a hundredth of them."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Deed:
     """One decision with one value: under which statements, what about, and which value."""
@@ -41,22 +45,27 @@ class _Deed:
 
 def clashes(rules: list[Ruled], tell: Tell) -> None:
     """Tell of two rules that decide one thing differently wherever the second one fires."""
-    deeds: dict[tuple[str, ...], list[_Deed]] = {}
+    deeds: dict[tuple[str, ...], dict[str, list[_Deed]]] = {}
+    patience = _MOST_PAIRS
     overriding = {(rule.name, name) for _, rule, _, _ in rules for name, _ in rule.overrides}
     for script, rule, compiled, _ in rules:
         for given, action in _decided(rule):
             about = (compiled.info.section, *_about(action))
             phases = frozenset(rule.phases) or None
             one = _Deed(script, rule, given, phases, about, plain(action))
-            others = deeds.setdefault(about, [])
+            by_value = deeds.setdefault(about, {})
+            others = [two for value, some in by_value.items() if value != one.value for two in some]
+            patience -= len(others)
+            if patience < 0:
+                return
             clash = next((two for two in others if _clash(one, two, overriding)), None)
             if clash is not None:
                 _tell_clash(one, clash, tell)
-            others.append(one)
+            by_value.setdefault(one.value, []).append(one)
 
 
 def _clash(one: _Deed, two: _Deed, overriding: set[tuple[str, str]]) -> bool:
-    if one.rule.at == two.rule.at or one.value == two.value:
+    if one.rule.at == two.rule.at and one.script is two.script:
         return False
     if not (one.given <= two.given or two.given <= one.given):
         return False

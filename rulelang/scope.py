@@ -45,6 +45,8 @@ class Scope:
     poisoned: set[str] = field(default_factory=set)
     compiled: dict[tuple[str, bool], Code] = field(default_factory=dict)
     busy: list[str] = field(default_factory=list)
+    below: list[int] = field(default_factory=list)
+    depths: dict[str, int] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     fouls: dict[str, None] = field(default_factory=dict)
     options: dict[str, None] = field(default_factory=dict)

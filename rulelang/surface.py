@@ -21,8 +21,11 @@ if TYPE_CHECKING:
     from lark import Lark
 
 LONGEST = 200_000
+MOST_WORDS = 20_000
+LONGEST_SENTENCE = 1000
 DEEPEST = 24
 HEAVIEST = 100
+_WORD = re.compile(r"[^\s(),:]+|[(),:]")
 _WEIGHTY = re.compile(r"\b(?:not|plus|minus|times|except|of|touching|by)\b")
 _PRESENT = {
     "pockets": "pocketed", "hits": "hit", "leaves": "left", "crosses": "crossed",
@@ -37,14 +40,19 @@ def scan(source: str, file: str) -> list[Diagnostic]:
     if len(source) > LONGEST:
         message = f"the script has {len(source)} characters; {LONGEST} are the most"
         return [_at("R109", file, 1, 1, message, "split it: uses ...", source)]
+    words = len(_WORD.findall(source))
+    if words > MOST_WORDS:
+        message = f"the script has {words} words and signs; {MOST_WORDS} are the most"
+        return [_at("R109", file, 1, 1, message, "split it: uses ...", source)]
     found = []
-    opened = weight = 0
+    opened = weight = words = 0
     for number, line in enumerate(source.split("\n"), 1):
         found.extend(_scan_line(source, file, number, line))
         code = _code(line)
         weight = len(_WEIGHTY.findall(code)) + (weight if opened else 0)
+        words = len(_WORD.findall(code)) + (words if opened else 0)
         opened = max(0, opened + code.count("(") - code.count(")"))
-        if opened > DEEPEST or weight > HEAVIEST:
+        if opened > DEEPEST or weight > HEAVIEST or words > LONGEST_SENTENCE:
             message = "this is nested too deep, or too long for one sentence"
             mend = "use a define for the inner part"
             return [*found, _at("R109", file, number, 1, message, mend, source)]
