@@ -57,11 +57,15 @@ class Startup:
             self.trouble = trouble
 
     def _prepare(self) -> None:
-        from engine.physics.simulate import warm_up  # noqa: PLC0415  numba is slow to import
+        from engine.physics.simulate import (  # noqa: PLC0415  numba is slow to import
+            warm_up,
+            warm_up_behind,
+        )
 
         self._warm("wireframe", 0.0, 0.2)
         self.saying, self.share = "preparing the physics ...", 0.2
         warm_up(None)
+        warm_up_behind()
         self.share, self.playable = 0.7, self.is_first
         rest = sorted((name for name in RENDERERS if name != "wireframe"), key=self._later)
         if self.wanted == rest[0]:

@@ -178,7 +178,7 @@ class Simulation:
         record = (self._pieces, self._events, self._counts, self._clock, until)
         if solver != "stepwise":
             return int(_fixed()(*arrays, *record, self._step, FIXED.index(solver)))
-        run = _kernel()
+        run = _prepared()
         if state.FLY in self._kinds.tolist():
             answer = _flight()(*arrays, self._pairs, self._foreseen, *record)
             if answer != state.DOWN:
@@ -246,6 +246,16 @@ def _kernel() -> Callable[..., int]:
 
 
 @cache
+def _prepared() -> Callable[..., int]:
+    """Return the solver's kernel, compiled by two processes where it is not on disk."""
+    from engine.physics.prepare import prepare  # noqa: PLC0415  numba
+
+    run = _kernel()
+    prepare()
+    return run
+
+
+@cache
 def _fixed() -> Callable[..., int]:
     """Return the kernel of the solvers with a step."""
     _kernel()
@@ -285,14 +295,31 @@ def simulate(
 
 
 def warm_up(progress: Callable[[str], None] | None = None) -> None:
-    """Compile or load the kernels by playing a tiny shot; `progress` hears what goes on."""
+    """Compile or load what the first shot needs, playing a tiny one; `progress` hears of it.
+
+    What only some shots need is left to `warm_up_behind`.
+    """
+    from engine.physics.prepare import prepare  # noqa: PLC0415  only needed here
     from engine.physics.trial import play_trial  # noqa: PLC0415  only needed here
 
     if progress is not None:
-        progress("preparing the physics (once per installation)")
+        progress("preparing the physics")
+    _kernel()
+    prepare(progress)
     play_trial()
     if progress is not None:
         progress("physics ready")
 
 
-__all__ = ["EventStormError", "Simulation", "simulate", "warm_up"]
+def warm_up_behind() -> None:
+    """Let another process compile what shots that leave the bed need, while this one goes on.
+
+    A shot that needs it earlier compiles it itself.
+    """
+    from engine.physics.prepare import prepare_behind  # noqa: PLC0415  only needed here
+
+    _kernel()
+    prepare_behind()
+
+
+__all__ = ["EventStormError", "Simulation", "simulate", "warm_up", "warm_up_behind"]

@@ -139,7 +139,7 @@ def run(
             foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
         elif tier == 1:
             other = int(foreseen[who, K_PAIR])
-            count = _meet(
+            count = meet_balls(
                 balls, kinds, world, pieces, events, counts, members, contacts, who, other, now
             )
             if count < 0:
@@ -169,7 +169,7 @@ def run(
 
 
 @kernel_with_arrays
-def _meet(
+def meet_balls(
     balls: Floats,
     kinds: Ints,
     world: Floats,
@@ -325,4 +325,4 @@ def _note_contacts(
                 note(events, counts, TOUCHING, now, a, float(b), row[C_SPEED])
 
 
-__all__ = ["ask", "resume", "run"]
+__all__ = ["ask", "meet_balls", "resume", "run"]
