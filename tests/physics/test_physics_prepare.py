@@ -31,7 +31,7 @@ def test_a_kernel_that_was_compiled_is_kept_and_another_is_not():
 
 def test_nothing_is_compiled_twice(monkeypatch):
     warm_up()
-    monkeypatch.setattr(prepare, "start", lambda share: 1 / 0)
+    monkeypatch.setattr(prepare, "start", lambda _: 1 / 0)
     said = []
     prepare.prepare(said.append)
     assert said == []
