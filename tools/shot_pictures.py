@@ -7,7 +7,7 @@ every ball up to each moment is drawn on the cloth, and the moments stand side b
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +19,7 @@ from engine.physics.simulate import simulate
 from engine.physics.world import Strike
 from engine.render.renderer import make_renderer
 from engine.scene.camera import Camera
+from engine.scene.shape import Polyline
 from engine.stage.cameras import above_camera
 from engine.stage.marks import flat_path
 from engine.stage.stage import stage_of
@@ -66,6 +67,9 @@ class Picture:
     follow: float = 0.0
     size: tuple[int, int] = (960, 540)
     renderer: str = "scanline"
+    elevation: float = 0.0
+    ghosts: float = 0.0
+    """The struck ball is seen at every so many seconds up to the moment; 0 for not."""
 
 
 PICTURES: Mapping[str, Picture] = {
@@ -107,6 +111,34 @@ PICTURES: Mapping[str, Picture] = {
         heading=7.0,
         moments=(5.4,),
     ),
+    "jump": Picture(
+        table="eight_ball",
+        balls={"cue": (-0.55, 0.0), "8": (-0.26, 0.0), "1": (0.35, 0.03)},
+        struck="cue",
+        speed=3.0,
+        heading=0.0,
+        elevation=42.0,
+        moments=(0.36,),
+        ghosts=0.04,
+        eye=(-0.16, -0.56, 0.16),
+        target=(-0.16, 0.0, 0.045),
+        size=(960, 400),
+    ),
+    "masse": Picture(
+        table="straight_rail",
+        balls={"white": (-0.35, 0.03), "yellow": (-0.08, -0.015), "red": (0.3, -0.1)},
+        struck="white",
+        speed=3.0,
+        heading=45.0,
+        elevation=60.0,
+        side=0.3,
+        follow=-0.4,
+        moments=(1.6,),
+        ghosts=0.1,
+        eye=(-0.02, -0.3, 0.85),
+        target=(-0.02, -0.01, 0.0),
+        size=(960, 480),
+    ),
 }
 
 
@@ -133,7 +165,11 @@ def play(draft: Draft, picture: Picture) -> Trace:
     """Return the shot of a picture, played."""
     layout = {BallId(ball): at for ball, at in picture.balls.items()}
     strike = Strike(
-        picture.speed, radians(picture.heading), 0.0, side=picture.side, follow=picture.follow
+        picture.speed,
+        radians(picture.heading),
+        radians(picture.elevation),
+        side=picture.side,
+        follow=picture.follow,
     )
     return simulate(draft.world, layout, BallId(picture.struck), strike)
 
@@ -147,9 +183,24 @@ def _scene(draft: Draft, stage: Stage, trace: Trace, picture: Picture, moment: f
     camera = above_camera(draft.world.table, picture.size[0] / picture.size[1])
     if picture.eye is not None:
         camera = Camera(picture.eye, picture.target)
-    return stage.scene(
+    scene = stage.scene(
         shown, camera, aids=_ways(draft, trace, moment), pins=trace.pins.stances(moment)
     )
+    return _with_ghosts(scene, stage, trace, picture, moment) if picture.ghosts else scene
+
+
+def _with_ghosts(
+    scene: Scene, stage: Stage, trace: Trace, picture: Picture, moment: float
+) -> Scene:
+    """Return the scene with the struck ball also where it was before."""
+    struck = BallId(picture.struck)
+    seat = [ball.id for ball in trace.balls].index(struck)
+    objects, shadows = list(scene.objects), list(scene.shadows)
+    for x, y, z in trace.positions(np.arange(0.0, moment, picture.ghosts))[:, seat]:
+        alone = stage.scene({struck: (float(x), float(y), float(z))}, scene.camera)
+        objects += [one for one in alone.objects if one is not stage.furniture]
+        shadows += alone.shadows
+    return replace(scene, objects=tuple(objects), shadows=tuple(shadows))
 
 
 def _ways(draft: Draft, trace: Trace, moment: float) -> list:  # type: ignore[type-arg]
@@ -160,8 +211,11 @@ def _ways(draft: Draft, trace: Trace, moment: float) -> list:  # type: ignore[ty
     found = []
     for number, ball in enumerate(trace.balls):
         points = [(float(x), float(y)) for x, y, z in way[:, number] if z > 0.0]
+        colour = colours.get(ball.id, PALE)
         if np.ptp(np.array(points), axis=0).max() > FINE:
-            found.append(flat_path(points, colours.get(ball.id, PALE), 0.005, 0.8))
+            found.append(flat_path(points, colour, 0.005, 0.8))
+        if (way[:, number, 2] > ball.radius + 1e-9).any():
+            found.append(Polyline(way[:, number].astype(np.float32), colour, 0.002, 0.8))
     return found
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.physics.events import CushionHit, PinToppled
+from engine.physics.events import BallJumpedOver, BallsCollided, CushionHit, PinToppled
 from engine.physics.monitor import examine
 from engine.table.region import posts_of
 from engine.variant.load import read_draft
@@ -55,6 +55,18 @@ def test_the_pictures_show_what_the_page_says_of_them():
     _, trace = shot("ell-shot")
     met = [one.cushion for one in trace.events() if isinstance(one, CushionHit)]
     assert "inner-end" in met
+
+
+def test_the_jump_clears_its_ball_and_the_masse_goes_round_one():
+    _, trace = shot("jump")
+    met = [one for one in trace.events() if isinstance(one, BallJumpedOver | BallsCollided)]
+    first, second = met[:2]
+    assert (first.ball, first.other) == ("cue", "8")
+    assert (second.ball, second.other) == ("cue", "1")
+    _, trace = shot("masse")
+    meets = [one.other for one in trace.events() if isinstance(one, BallsCollided)]
+    assert meets[:1] == ["red"]
+    assert not [one for one in trace.events() if isinstance(one, BallJumpedOver)]
 
 
 def test_a_picture_has_its_moments_side_by_side_and_each_is_another():
