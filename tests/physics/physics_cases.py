@@ -15,6 +15,14 @@ R, M, NOSE = 0.028575, 0.170097, 0.03629025
 REACH = R * sqrt(1.0 - 0.27**2)
 CORNER = PocketCut(0.1159, radians(142), 0.04, 0.003, 0.062)
 SIDE = PocketCut(0.1286, radians(104), 0.005, 0.003, 0.0645)
+ROUND = (
+    PocketCut(0.083, radians(135), 0.03, 0.102, 0.05),
+    PocketCut(0.087, radians(90), 0.0, 0.064, 0.05),
+)
+TIGHT = (
+    PocketCut(0.0725, radians(135), 0.03, 0.012, 0.045),
+    PocketCut(0.0825, radians(100), 0.01, 0.008, 0.05),
+)
 ALCIATORE = Contact(0.95, 0.009951, 0.108, 1.088)
 IDEAL = Contact(1.0, 0.0)
 

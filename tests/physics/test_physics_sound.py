@@ -4,7 +4,7 @@ import os
 import subprocess
 import sys
 from itertools import pairwise
-from math import inf, pi, radians, sqrt
+from math import inf, pi, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +15,9 @@ from physics_cases import (
     ALCIATORE,
     CORNER,
     REACH,
+    ROUND,
     SIDE,
+    TIGHT,
     R,
     make_world,
     rack,
@@ -28,17 +30,9 @@ from physics_cases import (
 from engine.physics.events import BallLeftTable, BallPocketed, BallsCollided, CushionHit, JawHit
 from engine.physics.simulate import Simulation, simulate, warm_up
 from engine.physics.world import Ball, Cloth, Contact, Rubber, Strike, World
-from engine.table.build import PocketCut, build_table
+from engine.table.build import build_table
 
 ROOT = Path(__file__).parents[2]
-ROUND = (
-    PocketCut(0.083, radians(135), 0.03, 0.102, 0.05),
-    PocketCut(0.087, radians(90), 0.0, 0.064, 0.05),
-)
-TIGHT = (
-    PocketCut(0.0725, radians(135), 0.03, 0.012, 0.045),
-    PocketCut(0.0825, radians(100), 0.01, 0.008, 0.05),
-)
 BREAK = {"b0": (-0.635, 0.003), **{f"b{k + 1}": p for k, p in enumerate(rack(0.635))}}
 
 
