@@ -133,6 +133,9 @@ def asked(session: Session) -> str:
             return "The last shot again" if session.back_to else "The balls are rolling"
         case Mode.VERDICT:
             return next_words(session.variant, session.match.situation)
+        case Mode.ARRANGING:
+            held = session.held
+            return f"Arrange the balls: {ball_name(session.variant, held) if held else 'none'}"
         case Mode.OVER:
             return result_words(session.match.situation)
 

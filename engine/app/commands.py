@@ -132,6 +132,21 @@ class StrikeNextBall:
 
 
 @dataclass(frozen=True, slots=True)
+class Arrange:
+    """Begin to arrange the balls, or end it."""
+
+
+@dataclass(frozen=True, slots=True)
+class TakeOff:
+    """Take the ball that is held off the table, or bring one back."""
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """Go back to before the last stroke, with that stroke set."""
+
+
+@dataclass(frozen=True, slots=True)
 class Confirm:
     """Accept: the place, the call, the stroke, the verdict."""
 
@@ -191,6 +206,9 @@ Command = (
     | CallSafety
     | CallNextGroup
     | StrikeNextBall
+    | Arrange
+    | TakeOff
+    | Repeat
     | Confirm
     | Back
     | Undo

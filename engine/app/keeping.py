@@ -6,17 +6,20 @@ game, the journal tells it. Invariant: a shot is on disk before the next one can
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
+from engine.app.arranging import load_layout, save_layout
 from engine.records.journal import Journal
 from engine.records.write import save_shot_record
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from engine.app.session import Session
     from engine.game.match import Match
+    from engine.game.situation import Situation
 
 
 @dataclass(slots=True)
@@ -27,6 +30,7 @@ class Keeper:
     folder: Path
     _journal: Journal | None = None
     _known: Match | None = None
+    _laid: int = 0
 
     def start(self, match: Match) -> None:
         """Begin the journal with the shots that a match has already."""
@@ -62,6 +66,27 @@ class Keeper:
         except OSError as trouble:
             return f"the shot could not be saved: {trouble}"
         return f"saved {_shown(path)}"
+
+    def keep_layout(self, session: Session) -> str:
+        """Keep where the balls lie now; return what to tell the player."""
+        folder, name = self.folder.parent / "layouts", session.variant.name
+        number = 1 + len(list(folder.glob(f"{name}-*.toml")))
+        path = folder / f"{name}-{number:03}.toml"
+        lying = replace(session.ahead, rest=replace(session.ahead.rest, positions=session.layout))
+        try:
+            save_layout(path, session.variant, lying)
+        except OSError as trouble:
+            return f"the layout could not be kept: {trouble}"
+        return f"kept {_shown(path)}"
+
+    def next_layout(self, session: Session) -> tuple[str, Situation] | None:
+        """Return name and situation of the next layout that was kept; raises LayoutError."""
+        kept = sorted((self.folder.parent / "layouts").glob(f"{session.variant.name}-*.toml"))
+        if not kept:
+            return None
+        path = kept[self._laid % len(kept)]
+        self._laid += 1
+        return path.stem, load_layout(path, session.variant, session.match.situation)
 
 
 def _shown(path: Path) -> str:

@@ -85,7 +85,7 @@ class Keyboard:
         if session.mode is Mode.CHOOSING:
             picked = self.keymap.place("pick", key)
             return [] if picked is None else [commands.Pick(count if picked else -count)]
-        if session.mode is Mode.PLACING:
+        if session.mode in (Mode.PLACING, Mode.ARRANGING):
             way = self.keymap.place("move", key)
             if way is not None:
                 return [_moved(way, count * (0.001 if fine else 0.01), screen)]

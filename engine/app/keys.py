@@ -30,6 +30,7 @@ class Binding:
 
 
 AIM, TABLE, SAY, VIEW, GAME = "Aiming", "Placing the ball", "Calls and choices", "View", "Game"
+PRACTICE = "Practice"
 
 BINDINGS: tuple[Binding, ...] = (
     Binding(
@@ -128,6 +129,11 @@ BINDINGS: tuple[Binding, ...] = (
     ),
     Binding("sound", ("m",), "M", "sound on or off", VIEW),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
+    Binding("arrange", ("i",), "I", "put balls anywhere; once more to play from there", PRACTICE),
+    Binding("take-off", ("delete",), "Delete", "take the ball off, or bring it back", PRACTICE),
+    Binding("repeat", ("v",), "V", "the last stroke once more, from where the balls lay", PRACTICE),
+    Binding("keep", ("f6",), "F6", "keep the layout", PRACTICE),
+    Binding("lay", ("f7",), "F7", "lay out the next layout that was kept", PRACTICE),
     Binding("help", ("f1",), "F1", "this page", GAME),
     Binding("rules", ("f2",), "F2", "the rules of the game, as its script has them", GAME),
     Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),

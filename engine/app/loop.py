@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import pygame
 
 from engine.app import commands
+from engine.app.arranging import LayoutError
 from engine.app.controls import Controls
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
@@ -23,7 +24,7 @@ from engine.app.session import SHOWING, Mode
 from engine.app.showing import Showing
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
-from engine.app.steps import act, pass_time, take_up
+from engine.app.steps import act, lay, pass_time, take_up
 from engine.app.view import View, camera_of, stroke_seen
 from engine.app.wishes import Ask
 from engine.stage.stage import build_stage
@@ -200,12 +201,32 @@ class Loop:
             case "save":
                 self.page = None
                 self._note(self.keeper.save_shot(self.session.match))
+            case "keep":
+                self._note(self.keeper.keep_layout(self.session))
+            case "lay":
+                self._lay()
             case "resume":
                 self.page = None
             case "games":
                 self.running, self.wants_another = False, True
             case "quit":
                 self.running = False
+
+    def _lay(self) -> None:
+        """Lay out the next layout that was kept, or say why not."""
+        if self.session.mode in SHOWING:
+            return
+        try:
+            found = self.keeper.next_layout(self.session)
+        except LayoutError as trouble:
+            self._note(str(trouble))
+            return
+        if found is None:
+            self._note("no layout of this game was kept")
+            return
+        name, situation = found
+        self._set(lay(self.session, situation))
+        self._note(f"laid out: {name}")
 
     def _note(self, text: str) -> None:
         self.session = replace(self.session, note=text)

@@ -70,6 +70,9 @@ class Pointer:
             self._grip = "cloth"
             if session.mode is Mode.PLACING:
                 return _put(place, screen, session)
+            if session.mode is Mode.ARRANGING:
+                ball = screen.ball(place, session)
+                return [commands.CallBall(ball)] if ball else []
             saying = session.mode in (Mode.CALLING, Mode.CHOOSING)
             return _call_there(place, session, screen) if saying else []
         return []
@@ -94,7 +97,7 @@ class Pointer:
             case "pull":
                 pull = (hands.mouse[1] - self._pressed_at[1]) / FULL_PULL
                 return [commands.SetSpeed(max(pull, 0.0) * FASTEST)] if pull > 0.0 else []
-            case "cloth" if session.mode is Mode.PLACING:
+            case "cloth" if session.mode in (Mode.PLACING, Mode.ARRANGING):
                 return _put(hands.mouse, screen, session)
             case "cloth" if session.mode is Mode.AIMING:
                 return _aim(hands, session, screen)

@@ -75,6 +75,8 @@ def _offered(session: Session) -> list[tuple[str, str]]:
             return [("Go on", "confirm"), why, ("Replay", "replay"), ("Save", "save"), undo]
         case Mode.OVER:
             return [("Next game", "next"), why, ("Replay", "replay"), ("Save", "save"), undo]
+        case Mode.ARRANGING:
+            return [("Play from here", "confirm"), ("Other ball", "ball"), ("Off / on", "take-off")]
 
 
 def hint_of(session: Session) -> str:
@@ -93,6 +95,8 @@ def hint_of(session: Session) -> str:
                 word for word, on in (("a ball", wanted.ball), ("a pocket", wanted.pocket)) if on
             )
             return f"click {things} on the table" if things else ""
+        case Mode.ARRANGING:
+            return "click a ball and drag it, or Tab and the arrows; F6 keeps the layout"
         case Mode.AIMING:
             return "click or drag to aim; right drag back and let go to strike; arrows, WASD: F1"
     return ""

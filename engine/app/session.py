@@ -41,6 +41,7 @@ class Mode(Enum):
     ROLLING = "balls rolling"
     VERDICT = "verdict"
     OVER = "game over"
+    ARRANGING = "arrange the balls"
 
 
 class Aid(Enum):
@@ -61,7 +62,8 @@ class Session:
     """All that a player sees and sets.
 
     `ahead` is the situation that the stroke is played from: the match's own, after the choice.
-    `struck` is the ball to strike where it is not the usual one. `place` is where the ball in
+    `struck` is the ball to strike where it is not the usual one, `held` the one that is moved while
+    the balls are arranged. `place` is where the ball in
     hand is held. `trace` is the last stroke's, shown up to `clock`
     (s, below zero while the cue comes forward), `pace` times as fast as it was; `back_to` is
     where a replay leads back to. `note` is said to the player, `trouble` is the script's, `later`
@@ -76,6 +78,7 @@ class Session:
     choice: str | None = None
     picked: int = 0
     struck: BallId | None = None
+    held: BallId | None = None
     place: Point | None = None
     placing: placing.Placing | None = None
     call: Call = NO_CALL
@@ -119,7 +122,7 @@ class Session:
         """The situation that the display tells about."""
         if self.mode in SHOWING and self.back_to is None and self.last:
             return self.last.before
-        return self.ahead if self.mode in BEFORE_STROKE else self.match.situation
+        return self.ahead if self.mode in (*BEFORE_STROKE, Mode.ARRANGING) else self.match.situation
 
     @property
     def cue_ball(self) -> BallId:

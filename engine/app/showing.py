@@ -128,7 +128,7 @@ class Showing:
         )
 
     def _marks(self, session: Session) -> tuple[list[Mesh | Polyline], list[Disc]]:
-        if session.mode not in (Mode.CHOOSING, *BEFORE_STROKE):
+        if session.mode not in (Mode.CHOOSING, Mode.ARRANGING, *BEFORE_STROKE):
             return [], []
         aids: list[Mesh | Polyline] = []
         discs: list[Disc] = []
@@ -136,7 +136,7 @@ class Showing:
         radius = self.stage.spheres[session.cue_ball].radius
         for ball, (x, y) in lying.items():
             size = self.stage.spheres[ball].radius
-            if ball == session.call.ball:
+            if ball in (session.call.ball, session.held):
                 aids.append(flat_ring((x, y), 1.5 * size, BLUE, 0.009))
             elif ball in session.admission.on and ball != session.cue_ball:
                 discs.append(Disc((x, y, LIFT), 1.32 * size, GOLD, 0.75, 0.12 * size))

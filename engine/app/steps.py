@@ -12,9 +12,10 @@ from math import hypot, radians
 from typing import TYPE_CHECKING
 
 from engine.app import calling, commands, placing
+from engine.app.arranging import arranged_match, with_ball, without_ball
 from engine.app.choices import choosable_balls
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
-from engine.app.stroke import Stroke, heading_to
+from engine.app.stroke import Stroke, heading_to, stroke_of
 from engine.app.trouble import ScriptTrouble, told
 from engine.game.match import advance, rejudge, start_match, undo
 from engine.game.observe import observe, simulate_shot
@@ -26,6 +27,7 @@ from engine.table.furniture import BallId
 
 if TYPE_CHECKING:
     from engine.game.match import Match
+    from engine.game.situation import Situation
     from engine.variant.variant import Variant
     from rulelang.facts import Call
 
@@ -113,6 +115,10 @@ def _act(session: Session, command: commands.Command) -> Session:
             return next_game(session)
         case commands.Confirm():
             return _confirm(session)
+        case commands.Arrange():
+            return _arrange(session)
+        case commands.Repeat():
+            return _repeat(session)
         case _:
             return _set(session, command)
 
@@ -120,6 +126,8 @@ def _act(session: Session, command: commands.Command) -> Session:
 def _set(session: Session, command: commands.Command) -> Session:
     if session.mode is Mode.CHOOSING:
         return _choosing(session, command)
+    if session.mode is Mode.ARRANGING:
+        return _arranging(session, command)
     if session.mode not in BEFORE_STROKE:
         return session
     match command:
@@ -280,6 +288,8 @@ def _confirm(session: Session) -> Session:
             return begin_next(session)
         case Mode.OVER:
             return next_game(session)
+        case Mode.ARRANGING:
+            return _arrange(session)
 
 
 def _accept_call(session: Session) -> Session:
@@ -361,6 +371,74 @@ def _replay(session: Session, pace: float) -> Session:
         pace=pace,
         back_to=session.mode,
         note="",
+    )
+
+
+def _arrange(session: Session) -> Session:
+    """Return the session in which balls can be moved, or the match that begins so."""
+    if session.mode is Mode.ARRANGING:
+        match = arranged_match(session.match, session.ahead)
+        return replace(begin(match, session.stroke, session.aid), note="from here on")
+    if session.mode in SHOWING:
+        return session
+    ahead = session.match.situation
+    if session.place is not None:
+        ahead = with_ball(session.variant, ahead, session.cue_ball, session.place)
+    held = next((ball.id for ball in session.variant.balls if ball.id in ahead.on_table), None)
+    shown = replace(ahead, in_hand=None, offers=(), winner=None)
+    return replace(
+        session, mode=Mode.ARRANGING, ahead=shown, held=held, place=None, placing=None, call=NO_CALL
+    )
+
+
+def _arranging(session: Session, command: commands.Command) -> Session:
+    """Return the session with the ball held another one, somewhere else, off or back."""
+    ahead, held, variant = session.ahead, session.held, session.variant
+    balls = [kind.id for kind in variant.balls]
+    lying = ahead.rest.positions
+    match command:
+        case commands.CallNextBall(by):
+            place = balls.index(held) if held in balls else -by
+            return replace(session, held=balls[(place + by) % len(balls)])
+        case commands.CallBall(ball):
+            return replace(session, held=ball)
+        case commands.PutBall(point) if held is not None:
+            return replace(session, ahead=with_ball(variant, ahead, held, point))
+        case commands.MoveBall(dx, dy) if held is not None and held in lying:
+            x, y = lying[held]
+            return replace(session, ahead=with_ball(variant, ahead, held, (x + dx, y + dy)))
+        case commands.TakeOff() if held is not None and held in lying:
+            return replace(session, ahead=without_ball(ahead, held))
+        case commands.TakeOff() if held is not None:
+            return replace(session, ahead=with_ball(variant, ahead, held, (0.0, 0.0)))
+    return session
+
+
+def lay(session: Session, situation: Situation) -> Session:
+    """Return the session of the match that begins with a layout that was kept."""
+    match = arranged_match(session.match, replace(situation, in_hand=None))
+    return begin(match, session.stroke, session.aid)
+
+
+def _repeat(session: Session) -> Session:
+    """Return the session before the last stroke, which is set as it was played."""
+    last = session.last_stroke
+    if last is None or last.shot.strike is None or session.mode in SHOWING:
+        return replace(session, note="there is no stroke to play again")
+    match = session.match
+    later = match
+    while match.played and match.played[-1] is not last:
+        match = undo(match)
+    back = begin(undo(match), session.stroke, session.aid)
+    if back.mode is Mode.CHOOSING and last.shot.choice is not None:
+        back = _take(back, last.shot.choice)
+    if back.mode not in BEFORE_STROKE:
+        return replace(back, later=(later,))
+    back = _look(replace(back, call=last.shot.call, struck=last.shot.struck))
+    place = last.shot.placement if back.placing else None
+    strike = stroke_of(last.shot.strike)
+    return replace(
+        back, mode=Mode.AIMING, place=place, stroke=strike, later=(later,), note="once more"
     )
 
 

@@ -72,6 +72,17 @@ class Stroke:
         return replace(self, side=side, follow=follow)
 
 
+def stroke_of(strike: Strike) -> Stroke:
+    """Return the stroke that is played by a strike, to a billionth of a degree."""
+    return Stroke(
+        round(degrees(strike.heading), 9),
+        strike.speed,
+        round(degrees(strike.elevation), 9),
+        strike.side,
+        strike.follow,
+    )
+
+
 def heading_to(start: tuple[float, float], end: tuple[float, float]) -> float:
     """Return the heading in degrees from one place (m) to another."""
     return degrees(atan2(end[1] - start[1], end[0] - start[0]))

@@ -29,6 +29,9 @@ PLAIN: dict[str, commands.Command] = {
     "redo": commands.Redo(),
     "fast": commands.Skip(),
     "next": commands.NextGame(),
+    "arrange": commands.Arrange(),
+    "take-off": commands.TakeOff(),
+    "repeat": commands.Repeat(),
     "aid": commands.ChangeAid(),
 }
 WINDOW = (
@@ -36,6 +39,8 @@ WINDOW = (
     "painter",
     "scanline",
     "camera",
+    "keep",
+    "lay",
     "sound",
     "text",
     "help",

@@ -19,7 +19,7 @@ from engine.table.marks import contains
 from engine.table.region import has_room
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from engine.table.furniture import Point, Zone, ZoneId
     from engine.variant.variant import Variant
@@ -36,14 +36,27 @@ def refuse_place(variant: Variant, situation: Situation, at: Point) -> Refusal |
         return Refusal("the cue ball is not in hand", "play it from where it lies")
     table = variant.world.table
     ball = cue_ball_of(variant, situation.shooter)
-    other = _overlapped(variant, situation, ball, at)
-    if other is not None:
-        return Refusal(f"there is no room beside {other}", "move it clear of the other balls")
-    radius = next(one.radius for one in variant.world.balls if one.id == ball)
-    if not has_room(table, at, radius):
-        return Refusal("the ball does not lie on the bed", "move it away from the cushion")
+    refused = refuse_spot(variant, situation.rest.positions, ball, at)
+    if refused is not None:
+        return refused
     if not contains(zone_in_hand(variant, situation, zone), at, table):
         return Refusal(f"that is outside {zone}", f"the ball is in hand in {zone}")
+    return None
+
+
+def refuse_spot(
+    variant: Variant, lying: Mapping[BallId, Point], ball: BallId, at: Point, clear: float = CLEAR
+) -> Refusal | None:
+    """Return why a ball cannot lie at `at` (m) among those `lying`, None where it can.
+
+    `clear` (m) is the air it needs to the others; a little below none, it may touch them.
+    """
+    radii = {one.id: one.radius for one in variant.world.balls}
+    for other, (x, y) in lying.items():
+        if other != ball and hypot(at[0] - x, at[1] - y) < radii[ball] + radii[other] + clear:
+            return Refusal(f"there is no room beside {other}", "move it clear of the other balls")
+    if not has_room(variant.world.table, at, radii[ball]):
+        return Refusal("the ball does not lie on the bed", "move it away from the cushion")
     return None
 
 
@@ -60,15 +73,6 @@ def zone_in_hand(variant: Variant, situation: Situation, zone: ZoneId) -> Zone:
     on = [lying[BallId(ball)] for ball in look_ahead(variant, situation).on if ball in lying]
     free = [area for area in whole.areas if not any(contains(area, at, table) for at in on)]
     return free[0] if len(free) == 1 else Area()
-
-
-def _overlapped(variant: Variant, situation: Situation, ball: BallId, at: Point) -> BallId | None:
-    radii = {one.id: one.radius for one in variant.world.balls}
-    for other, (x, y) in situation.rest.positions.items():
-        near = radii[ball] + radii[other] + CLEAR
-        if other != ball and hypot(at[0] - x, at[1] - y) < near:
-            return other
-    return None
 
 
 def usual_place(variant: Variant, situation: Situation) -> Point | None:
