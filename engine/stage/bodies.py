@@ -28,11 +28,12 @@ FOOT = 0.82
 
 
 def build_posts(table: Table, frame: Frame, rubber: Rgb, wood: Rgb) -> list[Mesh]:
-    """Return the posts: out from the foot to the nose, and in again to the cap."""
-    levels = ((0.0, FOOT), (frame.nose, 1.0), (frame.top, FOOT))
+    """Return the posts: out from the foot to the nose, and in again to the cap; or upright."""
     turns = [2.0 * pi * k / SIDES for k in range(SIDES)]
     parts = []
     for post in posts_of(table):
+        end = 1.0 if post.upright else FOOT
+        levels = ((0.0, end), (frame.nose, 1.0), (frame.top, end))
         points = [
             (
                 post.centre[0] + share * post.radius * cos(turn),

@@ -29,6 +29,7 @@ class Post:
     id: CushionId
     centre: Point
     radius: float
+    upright: bool = False
 
 
 def posts_of(table: Table) -> tuple[Post, ...]:
@@ -37,7 +38,7 @@ def posts_of(table: Table) -> tuple[Post, ...]:
     for cushion in table.cushions:
         shape = cushion.shapes[0]
         if isinstance(shape, Curve) and len(cushion.shapes) == 1 and isclose(shape.sweep, -tau):
-            found.append(Post(cushion.id, shape.centre, shape.radius))
+            found.append(Post(cushion.id, shape.centre, shape.radius, cushion.upright))
     return tuple(found)
 
 

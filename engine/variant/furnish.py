@@ -53,7 +53,7 @@ class Surveyor:
         self.sound = bare is not None
         bare = bare or plain_table(spec, size)
         self.bed = self.valued(
-            with_bodies(bare, self.bodies("posts"), self.bodies("holes"), report)
+            with_bodies(bare, self.bodies("posts"), self.bodies("holes"), spec.posts, report)
         )
 
     def bodies(self, key: str) -> dict[str, tuple[Point, float]]:

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.table.build import PocketCut, build_table
-from engine.table.furniture import Curve, Cushion, CushionId, Pocket, PocketId
+from engine.table.furniture import Curve, Cushion, CushionId, Pocket, PocketId, Rubber
 from engine.table.outline import Corner, OutlineError, box_of, build_outline
 from engine.table.region import distance_to, is_hole, is_inside, on_bed, posts_of
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from engine.table.furniture import Point, Table
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import CornerShape, OutlineShape, PocketShape, TableShape
+    from engine.variant.spec import CornerShape, OutlineShape, PocketShape, PostShape, TableShape
 
 _CUTS = "compare mouth, cut, shelf, jaw_radius and radius with those of a shipped table"
 _CODES = MappingProxyType(
@@ -189,14 +189,17 @@ def with_bodies(
     table: Table,
     posts: Mapping[str, tuple[Point, float]],
     holes: Mapping[str, tuple[Point, float]],
+    shapes: Mapping[str, PostShape],
     report: Report,
 ) -> Table:
-    """Return the table with its posts and holes: names, centres and radii (m)."""
+    """Return the table with its posts and holes: names, centres and radii (m).
+
+    `shapes` say what else is written of posts.
+    """
     for name, (at, radius) in posts.items():
         path: KeyPath = ("table", "posts", name)
         if _stands_free(table, at, radius, path, report):
-            shape = Curve(at, radius, 0.0, -tau)
-            post = Cushion(CushionId(name), (shape,))
+            post = _post(CushionId(name), at, radius, shapes[name])
             table = replace(table, cushions=(*table.cushions, post))
     for name, (at, radius) in holes.items():
         path = ("table", "holes", name)
@@ -205,6 +208,12 @@ def with_bodies(
             hole = Pocket(PocketId(name), at, radius, rim)
             table = replace(table, pockets=(*table.pockets, hole))
     return table
+
+
+def _post(name: CushionId, at: Point, radius: float, shape: PostShape) -> Cushion:
+    rubber = Rubber(**shape.rubber.model_dump()) if shape.rubber else None
+    circle = Curve(at, radius, 0.0, -tau)
+    return Cushion(name, (circle,), rubber, upright=shape.upright)
 
 
 def _stands_free(table: Table, at: Point, radius: float, path: KeyPath, report: Report) -> bool:

@@ -223,6 +223,13 @@ class RoundShape(Shape):
     radius: Size
 
 
+class PostShape(RoundShape):
+    """A post; its rubber, where it has one of its own, and whether its side is upright."""
+
+    rubber: Rubber | None = None
+    upright: bool = False
+
+
 class HoleShape(RoundShape):
     """A hole in the bed, and what a ball in it counts."""
 
@@ -236,7 +243,7 @@ class TableShape(Shape):
     length: Size | None = None
     width: Size | None = None
     outline: OutlineShape | None = None
-    posts: dict[Name, RoundShape] = {}
+    posts: dict[Name, PostShape] = {}
     holes: dict[Name, HoleShape] = {}
     nose_height: Size
     rail_width: Size

@@ -125,6 +125,24 @@ def test_a_ball_that_runs_along_a_round_cushion_hits_it_once():
     assert len(trace.log) < 3000
 
 
+def test_a_post_has_its_own_rubber_and_an_upright_one_is_met_at_the_middle_of_the_ball():
+    world = replace(draft_of("posts").world)
+    world = replace(world, models=replace(world.models, ball_cushion="restitution"))
+    gone = {}
+    for post in posts_of(world.table):
+        x, y = post.centre
+        trace = simulate(world, {CUE: (x - 0.15, y)}, CUE, Strike(1.0, 0.0))
+        hit = next(one for one in trace.events() if getattr(one, "cushion", "") == post.id)
+        place = trace.positions([hit.time])[0, 0]
+        came, went = trace.velocities([hit.time - 1e-9, hit.time + 1e-9])[:, 0, 0]
+        gone[post.id] = -went / came, x - place[0] - post.radius
+    radius = world.balls[0].radius
+    ring = (radius**2 - (world.table.nose_height - radius) ** 2) ** 0.5
+    assert gone["left-post"] == pytest.approx((0.9, ring), abs=1e-6)
+    assert gone["centre-post"] == pytest.approx((0.9, ring), abs=1e-6)
+    assert gone["right-post"] == pytest.approx((0.5, radius), abs=1e-6)
+
+
 def test_scripts_and_records_know_posts_and_holes():
     words = vocabulary_of(draft_of("posts"))
     assert {"left-post", "right-post", "centre-post", "head"} <= set(words.cushions)
