@@ -58,7 +58,8 @@ class Contact:
     """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`.
 
     Restitution falls with the speed v of approach: `e - slope * max(0, v - knee)`, never below 0.
-    Balls whose gaps are no wider than `cluster_gap` (m) take part in one blow.
+    Balls whose gaps are no wider than `cluster_gap` (m) take part in one blow, as if they touched;
+    where it is wider than usual, the time in which a ball crosses its gap counts.
     """
 
     restitution: float

@@ -54,7 +54,10 @@ def blow(
     `gap` (m) is the widest over which balls still take part in one blow.
     """
     contact = contact or contact_of(check)
-    contact = replace(contact, cluster_gap=max(contact.cluster_gap, 1.000001 * gap))
+    if gap > 0.0:
+        # wider than usual, so that the gap counts and is not taken for touching
+        wide = 1.000001 * max(contact.cluster_gap, gap)
+        contact = replace(contact, cluster_gap=wide)
     world = world_of(check, len(places), contact=contact, cloth=SLIPPERY, cluster=cluster_of(check))
     motions = {i: Motion((v, 0.0), REST.spin) for i, v in enumerate(speeds) if v}
     trace = throw(world, places, motions, until)
