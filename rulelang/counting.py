@@ -50,6 +50,8 @@ def total(x: Expressions, node: s.Total) -> Code:
     if what == "number" and isinstance(node.base, s.Noun) and node.base.words in ("foul", "fouls"):
         fouls = x.want(node.base, k.FOULS)
         return joined(Code(k.NUMBER, lambda c: len(c.fouls)), fouls)
+    if what == "number" and isinstance(node.base, s.Noun) and node.base.words == "players":
+        return x.want(node.base, k.NUMBER)
     base = x.want(node.base, k.BALLS)
     balls = base.run
     if what == "pocket value":
@@ -107,6 +109,22 @@ def gap(x: Expressions, _node: s.ScoreGap) -> Code:
     if x.frozen:
         return Code(k.NUMBER, lambda c: max(c.situation.scores) - min(c.situation.scores))
     return Code(k.NUMBER, lambda c: max(c.scores) - min(c.scores), staged=True)
+
+
+def extreme_score(x: Expressions, node: s.ScoreExtreme) -> Code:
+    """Compile `highest score`, `lowest score`, `second highest score`.
+
+    Of one player alone the second is 0.
+    """
+    place, top = int(node.second), node.which == "highest"
+
+    def pick(scores: tuple[int, ...]) -> int:
+        ranked = sorted(scores, reverse=top)
+        return ranked[place] if place < len(ranked) else 0
+
+    if x.frozen:
+        return Code(k.NUMBER, lambda c: pick(c.situation.scores))
+    return Code(k.NUMBER, lambda c: pick(c.scores), staged=True)
 
 
 def number(_x: Expressions, node: s.Number) -> Code:

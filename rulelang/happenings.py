@@ -97,6 +97,8 @@ class Happenings:
             return t.bare(t.BARE_VERBS[word]), ()
         if word == "pocketed in called pocket":
             return t.matching(w.POCKETED, _called_pocket), ()
+        if word == "pocketed in own":
+            return self._in_own(verb)
         if word in t.PLACE_VERBS:
             return self._at_place(verb)
         if word == "touching":
@@ -119,6 +121,17 @@ class Happenings:
             lambda c, who, _lo, _hi: w.stayed_together(c, who, zones),
             lambda _c, _who, _lo, _hi: [],
         ), ()
+
+    def _in_own(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
+        assert verb.target is not None  # noqa: S101
+        pocket = self.x.want(verb.target, k.NAME)
+        run = pocket.run
+
+        def match(c: Watch) -> Any:
+            own = run(c)
+            return lambda where: where == own
+
+        return t.matching(w.POCKETED, match), (pocket,)
 
     def _at_place(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
         number, sort = t.PLACE_VERBS[verb.word]

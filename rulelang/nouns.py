@@ -52,6 +52,8 @@ def noun(x: Expressions, node: s.Noun) -> Code:
     if words in ("ball", "balls", "pin", "pins"):
         mask = x.scope.balls if words.startswith("ball") else x.scope.pins
         return Code(k.BALLS, lambda _c: mask, constant=mask)
+    if words == "players":
+        return Code(k.NUMBER, lambda c: c.players - len(c.situation.eliminated))
     if words == "cue":
         return x.value(s.Name(node.at, "cue"))
     if words == "phase":
@@ -148,6 +150,13 @@ def standing(x: Expressions, node: s.Standing) -> Code:
     base = x.want(node.base, k.BALLS)
     run, up = base.run, x.standing()
     return joined(Code(k.BALLS, lambda c: run(c) & up(c)), base)
+
+
+def up_to(x: Expressions, node: s.UpTo) -> Code:
+    """Compile `up to N among X`: the first N balls of X, none where N is below 1."""
+    base, number = x.want(node.base, k.BALLS), x.want(node.count, k.NUMBER)
+    run, many = base.run, number.run
+    return joined(Code(k.BALLS, lambda c: sum(singles(run(c))[: max(0, many(c))])), base, number)
 
 
 def quantified(x: Expressions, node: s.Quantified) -> Code:

@@ -46,6 +46,7 @@ WORDS = MappingProxyType(
             "any", "every", "no", "none", "only", "exactly", "at", "least", "most", "more",
             "fewer", "than", "one", "number", "value", "worth", "highest", "lowest", "first",
             "second", "third", "last", "plus", "minus", "times", "count", "difference",
+            "among",
         ),
         NOUN: (
             "ball", "balls", "cue", "object", "struck", "chosen", "pin", "pins", "it", "phase",

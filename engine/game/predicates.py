@@ -14,7 +14,7 @@ from engine.game.sight import View, path_to, snookering_balls
 from engine.game.situation import Rest, Situation, ball_to_strike
 from engine.game.spotting import Board, carry_out
 from engine.table.furniture import BallId, Places, ZoneId
-from engine.table.marks import contains
+from engine.table.marks import away_from, contains
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -63,14 +63,12 @@ def predicates_of(
 def _nearest(
     variant: Variant, lying: Mapping[BallId, Point], targets: frozenset[str], zone: str | None
 ) -> Value | None:
-    """Return which of the balls lies nearest to the places of a zone."""
+    """Return which of the balls lies nearest to a zone; of two as near the last in the variant."""
     area = None if zone is None else variant.world.table.zones[ZoneId(zone)]
-    if not isinstance(area, Places) or not lying.keys() >= targets or not targets:
+    if area is None or not lying.keys() >= targets or not targets:
         return None
-    return min(
-        sorted(map(BallId, targets)),
-        key=lambda ball: min(hypot(lying[ball][0] - x, lying[ball][1] - y) for x, y in area.points),
-    )
+    order = [kind.id for kind in reversed(variant.balls) if kind.id in targets]
+    return min(order, key=lambda ball: round(away_from(area, lying[ball]), 9))
 
 
 def _one_of(hiding: tuple[BallId, ...], called: str | None) -> BallId:

@@ -77,6 +77,17 @@ def contains(zone: Zone, point: Point, table: Table) -> bool:
     return _on_bed(point, table) and all(_depth(part, point) > 0.0 for part in zone.parts)
 
 
+def away_from(zone: Zone, point: Point) -> float:
+    """Return how far (m) a point is from a zone, 0 inside; of several bounds the farthest."""
+    if isinstance(zone, Places):
+        return min(distance(point, place) for place in zone.points)
+    if isinstance(zone, Figure):
+        return max(0.0, _from_figure(zone.corners, point) - zone.margin)
+    if isinstance(zone, Opposite):
+        return min(away_from(area, point) for area in zone.areas)
+    return max([0.0, *(_border(closed=part.closed) - _depth(part, point) for part in zone.parts)])
+
+
 def _depth(part: HalfPlane | Disc, point: Point) -> float:
     """Return how deep a point lies in a part, counted from where belonging begins."""
     if isinstance(part, Disc):

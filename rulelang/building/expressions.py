@@ -123,6 +123,10 @@ def verb(node: Any) -> s.Verb:
         place = node.children[0]
         at = at if place is None else span(place)
         return s.Verb(at, _PLACE_VERBS[word], None, named(place))
+    if word == "pocketed_in_own":
+        name, who = node.children
+        own = s.NameOf(at, str(name), expression(who))
+        return s.Verb(at, "pocketed in own", own, str(name))
     if word in _BARE_VERBS:
         return s.Verb(at, _BARE_VERBS[word])
     return _cushion_verb(at, _CUSHION_VERBS[word], node.children[0])
@@ -201,6 +205,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "except_": lambda n: s.Except(span(n), expression(n.children[0]), expression(n.children[1])),
     "on_table": lambda n: s.OnTable(span(n), expression(n.children[0])),
     "standing": lambda n: s.Standing(span(n), expression(n.children[0])),
+    "up_to": lambda n: s.UpTo(span(n), expression(n.children[0]), expression(n.children[1])),
     "extreme_of": _extreme,
     "extreme_on_table": _extreme,
     "name_noun": lambda n: s.Name(span(n), str(n.children[0])),
@@ -221,6 +226,8 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "called_name": _called,
     "score_of": lambda n: s.ScoreOf(span(n), expression(n.children[0])),
     "score_gap": lambda n: s.ScoreGap(span(n)),
+    "score_extreme": lambda n: s.ScoreExtreme(span(n), text(n.children[0])),
+    "score_second": lambda n: s.ScoreExtreme(span(n), text(n.children[0]), second=True),
     "who": lambda n: expression(n.children[0]),
     "who_name": lambda n: s.Name(span(n), str(n.children[0])),
     "player": lambda n: s.Player(span(n), text(n)),

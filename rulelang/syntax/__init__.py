@@ -42,12 +42,14 @@ from rulelang.syntax.expressions import (
     PartnerOf,
     Player,
     Quantified,
+    ScoreExtreme,
     ScoreGap,
     ScoreOf,
     Sequence,
     Standing,
     Test,
     Total,
+    UpTo,
     Verb,
 )
 from rulelang.syntax.places import (
@@ -87,7 +89,8 @@ __all__ = [
     "GiveInHand", "GoToPhase", "Happened", "Header", "Home", "If", "Is", "Junction", "Listing",
     "Name", "NameOf", "Not", "Nothing", "NothingHappens", "Noun", "Number", "OfferChoices",
     "OnTable", "OpponentOf", "PartnerOf", "Phases", "PlaceAt", "Player", "Plays", "Quantified",
-    "RackAgain", "RemoveBalls", "Require", "RestoreTable", "Rule", "ScoreGap", "ScoreOf", "Script",
-    "Seat", "Sequence", "SetUpPins", "Span", "SpotBalls", "SpottingOrder", "Standing", "Statement",
-    "Test", "Timer", "Total", "Track", "Turn", "Verb", "Win", "Write", "Zones", "walk",
+    "RackAgain", "RemoveBalls", "Require", "RestoreTable", "Rule", "ScoreExtreme", "ScoreGap",
+    "ScoreOf", "Script", "Seat", "Sequence", "SetUpPins", "Span", "SpotBalls", "SpottingOrder",
+    "Standing", "Statement", "Test", "Timer", "Total", "Track", "Turn", "UpTo", "Verb", "Win",
+    "Write", "Zones", "walk",
 ]  # fmt: skip

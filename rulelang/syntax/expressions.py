@@ -130,6 +130,24 @@ class Standing:
 
 
 @dataclass(frozen=True, slots=True)
+class UpTo:
+    """`up to N among X`: the first N balls of a set, in the order of the variant."""
+
+    at: Span
+    count: Expr
+    base: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class ScoreExtreme:
+    """The highest or the lowest score, or the second after it."""
+
+    at: Span
+    which: str
+    second: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Extreme:
     """The ball of highest or lowest value in a set."""
 
@@ -236,6 +254,7 @@ class Sequence:
 
 Expr = (
     Number | Flag | Nothing | Name | NameOf | BallNumber | Noun | Called | Player | OpponentOf
-    | PartnerOf | CueBallOf | ScoreOf | ScoreGap | Listing | OnTable | Standing | Extreme | Except
-    | Quantified | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
+    | PartnerOf | CueBallOf | ScoreOf | ScoreGap | ScoreExtreme | Listing | OnTable
+    | Standing | UpTo | Extreme | Except | Quantified
+    | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
 )  # fmt: skip

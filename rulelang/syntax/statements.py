@@ -59,8 +59,9 @@ class GoToPhase:
 
 @dataclass(frozen=True, slots=True)
 class PlaceAt:
-    """One place of a `spot`: kinds at, home, occupant, own, highest-free, lay, later, near,
-    near-own.
+    """One place of a `spot`.
+
+    Kinds are at, home, occupant, own, highest-free, lay, later, near, near-own.
     """
 
     at: Span
