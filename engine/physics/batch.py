@@ -8,12 +8,12 @@ over many machines, chosen with `joblib.parallel_config`) serve without a change
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, overload
 
 from engine.physics.simulate import simulate
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from engine.physics.trace import Trace
     from engine.physics.world import Layout, Strike, World
@@ -21,31 +21,54 @@ if TYPE_CHECKING:
 
     Stroke = tuple[Layout, BallId, Strike]
 
-HELPINGS = 4
+    Kept = TypeVar("Kept")
+
+HELPINGS = 8
 """Runs of shots that each worker is given, so that a slow one does not keep the others waiting."""
 
 
-def simulate_batch(world: World, shots: Sequence[Stroke], workers: int = 1) -> list[Trace]:
+@overload
+def simulate_batch(
+    world: World, shots: Sequence[Stroke], workers: int = ..., keep: None = ...
+) -> list[Trace]: ...
+
+
+@overload
+def simulate_batch(
+    world: World, shots: Sequence[Stroke], workers: int, keep: Callable[[Trace], Kept]
+) -> list[Kept]: ...
+
+
+def simulate_batch(
+    world: World,
+    shots: Sequence[Stroke],
+    workers: int = 1,
+    keep: Callable[[Trace], Kept] | None = None,
+) -> list[Trace] | list[Kept]:
     """Return the trace of each shot (layout, ball struck, strike), in order.
 
-    `workers` is the number of processes; -1 means one a core, and all but 1 need joblib, the
-    extra `batch`. Raises what `simulate` raises for the first shot that cannot be, and
-    ValueError for 0 workers.
+    With `keep`, what it makes of each trace is returned instead; it runs where the shot is
+    played, so that whole traces need not travel. `workers` is the number of processes; -1 means
+    one a core, and all but 1 need joblib, the extra `batch`. Raises what `simulate` raises for
+    the first shot that cannot be, and ValueError for 0 workers.
     """
     if workers == 0:
         raise ValueError("a batch needs at least one worker; -1 means one a core")
     if workers == 1 or not shots:
-        return _play(world, shots)
+        return _play(world, shots, keep)
     from joblib import Parallel, delayed, effective_n_jobs  # noqa: PLC0415  an extra
 
     size = max(1, -(-len(shots) // (HELPINGS * effective_n_jobs(workers))))
     runs = [shots[first : first + size] for first in range(0, len(shots), size)]
-    played = Parallel(n_jobs=workers)(delayed(_play)(world, run) for run in runs)
-    return [trace for run in played for trace in run]
+    played = Parallel(n_jobs=workers)(delayed(_play)(world, run, keep) for run in runs)
+    return [kept for run in played for kept in run]
 
 
-def _play(world: World, shots: Sequence[Stroke]) -> list[Trace]:
-    return [simulate(world, layout, ball, strike) for layout, ball, strike in shots]
+def _play(
+    world: World, shots: Sequence[Stroke], keep: Callable[[Trace], Kept] | None
+) -> list[Trace] | list[Kept]:
+    traces = (simulate(world, layout, ball, strike) for layout, ball, strike in shots)
+    return list(traces) if keep is None else [keep(trace) for trace in traces]
 
 
 __all__ = ["simulate_batch"]
