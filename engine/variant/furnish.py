@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from engine.variant.spec import LineShape, Place, RoundShape, TableShape, ZoneShape
 
 _EDGE = 1e-9
+_LONGEST_CHAIN = 40
 
 
 class Surveyor:
@@ -67,9 +68,21 @@ class Surveyor:
         return found
 
     def valued(self, table: Table) -> Table:
-        """Return the table with what a ball in each hole counts."""
-        values = {name: hole.value for name, hole in self.spec.holes.items()}
-        pockets = (replace(one, value=values.get(one.id, 0)) for one in table.pockets)
+        """Return the table with what a ball in each hole counts, and what it meets there."""
+        pockets = (
+            replace(
+                pocket,
+                value=hole.value,
+                lip=hole.lip,
+                rim=hole.rim,
+                restitution=hole.restitution,
+                friction=hole.friction,
+                model=hole.model,
+            )
+            if (hole := self.spec.holes.get(pocket.id)) is not None
+            else pocket
+            for pocket in table.pockets
+        )
         return replace(table, pockets=tuple(pockets))
 
     def number(self, expression: Expression | None, path: KeyPath) -> float | None:
@@ -104,6 +117,10 @@ class Surveyor:
             return self.done[name]
         if name in self.open:
             message = f"spot `{name}` is placed by itself"
+            self.report.add("V202", path, message, "give one of them coordinates")
+            return None
+        if len(self.open) >= _LONGEST_CHAIN:
+            message = f"more than {_LONGEST_CHAIN} spots lean on each other in a row"
             self.report.add("V202", path, message, "give one of them coordinates")
             return None
         self.open.add(name)

@@ -22,9 +22,13 @@ from engine.variant.fields import (
     Name,
     Rgb,
     Size,
+    Slope,
     Stem,
     mistake,
 )
+
+_MANY = Field(max_length=200)
+"""No table for people has so many things of one kind, and thousands would take minutes."""
 
 
 class Shape(BaseModel):
@@ -98,8 +102,20 @@ Point = Annotated[
 ]
 
 
-class PocketShape(Shape):
+class DropShape(Shape):
+    """What a ball meets in a pocket: round of its lip, height of its rim, and its own model."""
+
+    lip: Gap = 0.0
+    rim: Gap = 0.0
+    restitution: Fraction = 0.2
+    friction: Factor = 0.2
+    model: str | None = None
+
+
+class PocketShape(DropShape):
     """One kind of pocket: mouth from tip to tip, cut angle, shelf, round of the jaw, drop."""
+
+    rim: Gap = 0.05
 
     mouth: Size
     cut: Cut
@@ -177,12 +193,30 @@ class ZoneShape(Shape):
 
 
 class Rubber(Shape):
-    """Ball on cushion."""
+    """Ball on cushion: restitution by speed, friction by the angle of incidence."""
 
     restitution: Fraction
-    restitution_slope: Factor = 0.0
+    restitution_slope: Slope = 0.0
     restitution_knee: Factor = 0.0
+    restitution_bend: Slope = 0.0
+    restitution_least: Fraction = 0.0
     friction: Factor
+    friction_slope: Slope = 0.0
+    frequency_ratio: Annotated[float, Field(gt=0, le=100)] = 1.7
+
+
+class CushionShape(Shape):
+    """How one cushion, or the jaws of one pocket, differ from the table's rubber."""
+
+    restitution: Fraction | None = None
+    restitution_slope: Slope | None = None
+    restitution_knee: Factor | None = None
+    restitution_bend: Slope | None = None
+    restitution_least: Fraction | None = None
+    friction: Factor | None = None
+    friction_slope: Slope | None = None
+    frequency_ratio: Annotated[float, Field(gt=0, le=100)] | None = None
+    model: str | None = None
 
 
 def _pair(written: object) -> object:
@@ -213,7 +247,7 @@ class OutlineShape(Shape):
     """A closed chain of cushions, and the ways in which pockets are cut into it."""
 
     corners: Annotated[list[CornerShape], Field(min_length=2, max_length=200)]
-    cuts: dict[Name, PocketShape] = {}
+    cuts: Annotated[dict[Name, PocketShape], _MANY] = {}
 
 
 class RoundShape(Shape):
@@ -230,7 +264,7 @@ class PostShape(RoundShape):
     upright: bool = False
 
 
-class HoleShape(RoundShape):
+class HoleShape(RoundShape, DropShape):
     """A hole in the bed, and what a ball in it counts."""
 
     value: Annotated[int, Field(ge=-100_000, le=100_000)] = 0
@@ -243,8 +277,9 @@ class TableShape(Shape):
     length: Size | None = None
     width: Size | None = None
     outline: OutlineShape | None = None
-    posts: dict[Name, PostShape] = {}
-    holes: dict[Name, HoleShape] = {}
+    posts: Annotated[dict[Name, PostShape], _MANY] = {}
+    holes: Annotated[dict[Name, HoleShape], _MANY] = {}
+    cushions: Annotated[dict[Name, CushionShape], _MANY] = {}
     nose_height: Size
     rail_width: Size
     rail_colour: Rgb = (92, 51, 23)
@@ -252,18 +287,21 @@ class TableShape(Shape):
     sights: bool = True
     rubber: Rubber
     pockets: Pockets | None = None
-    spots: dict[Name, Point] = {}
-    lines: dict[Name, Annotated[LineShape, BeforeValidator(_line)]] = {}
-    zones: dict[Name, ZoneShape] = {}
+    spots: Annotated[dict[Name, Point], _MANY] = {}
+    lines: Annotated[dict[Name, Annotated[LineShape, BeforeValidator(_line)]], _MANY] = {}
+    zones: Annotated[dict[Name, ZoneShape], _MANY] = {}
 
 
 class Contact(Shape):
-    """Ball on ball."""
+    """Ball on ball; balls within the gap of a cluster take part in one blow."""
 
     restitution: Fraction
+    restitution_slope: Factor = 0.0
+    restitution_knee: Factor = 0.0
     friction_floor: Factor
     friction_rise: Factor = 0.0
     friction_decay: Factor = 0.0
+    cluster_gap: Gap = 2e-6
 
 
 def _worth(written: object) -> object:
@@ -286,6 +324,11 @@ class BallShape(Shape):
     value: Annotated[int | Literal["number"] | None, BeforeValidator(_worth)] = None
     groups: list[Name] = []
     spot: Name | None = None
+    sliding: Annotated[float, Field(gt=0, le=1000)] | None = None
+    rolling: Annotated[float, Field(gt=0, le=1000)] | None = None
+    spin_deceleration: Annotated[float, Field(gt=0, le=1000)] | None = None
+    restitution: Fraction | None = None
+    grip: Factor | None = None
 
 
 class BallSet(Shape):
@@ -295,7 +338,7 @@ class BallSet(Shape):
     diameter: Size
     mass: Kilograms
     contact: Contact
-    ball: dict[str, BallShape] = Field(min_length=1)
+    ball: dict[str, BallShape] = Field(min_length=1, max_length=400)
 
 
 class PinShape(Shape):
@@ -326,7 +369,7 @@ class PinSet(Shape):
     restitution: Fraction = 0.5
     friction: Annotated[float, Field(gt=0, le=10)] = 0.3
     topples_at: Factor | None = None
-    pin: dict[Name, PinShape] = Field(min_length=1)
+    pin: Annotated[dict[Name, PinShape], _MANY] = Field(min_length=1)
 
 
 class ClothShape(Shape):
@@ -337,7 +380,7 @@ class ClothShape(Shape):
     sliding: Factor
     rolling: Factor
     spin_deceleration: Factor
-    bounce: Fraction = 0.5
+    bounce: Annotated[float, Field(ge=0, le=0.95)] = 0.5
     threshold: Factor = 1.5
 
 
@@ -415,7 +458,7 @@ class Pattern(Shape):
     apex: Point
     rows: Annotated[list[str], Field(min_length=1, max_length=20)]
     balls: list[str]
-    lots: dict[Name, list[str]] = {}
+    lots: Annotated[dict[Name, list[str]], _MANY] = {}
     gap: Gap = 0.0
     by_lot: bool = True
     apex_row: Annotated[int, Field(ge=1, le=20)] = 1
@@ -425,7 +468,7 @@ class RackShape(Shape):
     """How balls lie at the start; a ball that is not named is in hand or not in play."""
 
     pattern: Pattern | None = None
-    places: dict[Name, Point] = {}
+    places: Annotated[dict[Name, Point], _MANY] = {}
     own_spots: list[str] = []
 
 
@@ -457,4 +500,4 @@ class VariantSpec(Shape):
     players: Annotated[Players, BeforeValidator(_players), WithJsonSchema(_HOW_MANY)]
     cue_balls: Annotated[list[str], Field(min_length=1, max_length=64)]
     rack: RackShape = RackShape()
-    settings: dict[Name, SettingShape] = {}
+    settings: Annotated[dict[Name, SettingShape], _MANY] = {}
