@@ -87,7 +87,16 @@ def take_choice(
     after = _follow(variant, after, decided, board, in_hand)
     if board.restored and last:
         after = _as_before(variant, after, last.before, decided)
-    return _verdict(decided, board, after, explain=explain)
+    return _verdict(decided, board, _chosen_once(after, taken), explain=explain)
+
+
+def _chosen_once(after: Situation, taken: Offer) -> Situation:
+    """Return the situation without the offer just taken: one made before each shot stands still.
+
+    What is on offer before a shot is chosen once; the stroke follows.
+    """
+    again = any((one.key, one.option) == (taken.key, taken.option) for one in after.offers)
+    return replace(after, offers=()) if again else after
 
 
 def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain: bool) -> Verdict:

@@ -25,6 +25,8 @@ from engine.variant.load import list_variants, load_variant
 from tools.playouts.play import Finding, Tally, playout
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from engine.variant.variant import Variant
 
 SHARE = 20
@@ -86,7 +88,7 @@ def main(words: list[str] | None = None) -> int:
     return int(bool(findings or short))
 
 
-def _played(work: list[tuple[str, int, int, int, int]], jobs: int):  # type: ignore[no-untyped-def]
+def _played(work: list[tuple[str, int, int, int, int]], jobs: int) -> Iterator[tuple[str, Tally]]:
     if jobs == 1:
         yield from (play_share(*one) for one in work)
         return
@@ -104,8 +106,8 @@ def _tell(tallies: dict[str, Tally], findings: list[Finding], seconds: float) ->
             f"{name:{width}}  {one.matches:7}  {one.shots:7}  {one.longest:7}  {one.ended:5}"
             f"  {share:>22}  {len(one.findings):8}"
         )
-    for one in findings:
-        print(f"{one.variant}, match {one.match}, shot {one.shot}: {one.what}")
+    for found in findings:
+        print(f"{found.variant}, match {found.match}, shot {found.shot}: {found.what}")
     print(f"{seconds:.1f} s")
 
 

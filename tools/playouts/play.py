@@ -14,6 +14,7 @@ import tomli_w
 
 from engine.game.match import Match, next_game, start_match
 from engine.game.referee import judge_shot, take_choice
+from engine.game.shot import NO_CALL, Shot
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
 from rulelang.evaluate import OutOfFuel, RuleClash
@@ -21,14 +22,17 @@ from tools.playouts.strokes import good_shot, silly_shot
 from tools.playouts.watch import faults, same, shuffled
 
 if TYPE_CHECKING:
-    from engine.game.shot import Shot
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
     from engine.variant.variant import Value, Variant
 
 TRIES = 16
 """So many strokes are made up where one is to score; the last is played if none does."""
+SILLY = 0.1
+"""The share of silly shots where half are to score; the rest are tries that mostly fail."""
 EXPLAINED = 0.01
+USUAL = 0.05
+"""The share of shots that are explained, and of matches by the usual house rules."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +104,10 @@ def _judged(
     explain = rng.random() < EXPLAINED
     try:
         verdict = judge_shot(variant, situation, shot, explain=explain)
-        wrong = list(faults(variant, situation, shot, verdict))
+        chosen = situation
+        if situation.offers and not shot.is_only_choice:
+            chosen = take_choice(variant, situation, shot, explain=False).after
+        wrong = list(faults(variant, chosen, shot, verdict))
         wrong += same(verdict, judge_shot(mixed, situation, shot, explain=False))
         tuple(verdict.explanation)
     except (RuleClash, OutOfFuel) as error:
@@ -120,14 +127,12 @@ def _shot(
     tally: Tally,
 ) -> Shot:
     """Return the next shot: a choice alone, or a stroke after the choice."""
-    from engine.game.shot import Shot  # noqa: PLC0415
-
     choice = None
     if situation.offers:
         choice = rng.choice(situation.options)
         balls = sorted(situation.on_table)
         ball = rng.choice(balls) if balls else None
-        alone = Shot(choice=choice, call=replace(Shot().call, ball=ball))
+        alone = Shot(choice=choice, call=replace(NO_CALL, ball=ball))
         if rng.random() < 0.7:
             return alone
         chosen = take_choice(variant, situation, alone, explain=False).after
@@ -135,8 +140,10 @@ def _shot(
             return alone
         stroke = silly_shot(variant, chosen, rng, places=places, choice=choice)
         return replace(stroke, call=replace(stroke.call, ball=ball))
-    if not keen or rng.random() < 0.5:
+    if not keen or rng.random() < SILLY:
         return silly_shot(variant, situation, rng, places=places)
+    if rng.random() < (0.5 - SILLY) / (1 - SILLY):
+        return good_shot(variant, situation, rng, places=places)
     for _ in range(TRIES):
         shot = good_shot(variant, situation, rng, places=places)
         if _scores(variant, situation, shot):
@@ -165,11 +172,12 @@ def _goes_on(variant: Variant) -> bool:
 
 
 def _settings(variant: Variant, rng: random.Random) -> dict[str, Value]:
-    """Return house rules by lot: half of them as usual, numbers low enough to come to an end."""
+    """Return house rules by lot: some as usual, numbers low enough to come to an end."""
     chosen: dict[str, Value] = {}
+    usual = rng.random() < USUAL
     for name, setting in variant.settings.items():
         default = setting.default
-        if rng.random() < 0.5:
+        if usual:
             chosen[name] = default
         elif setting.choices:
             chosen[name] = rng.choice(setting.choices)
@@ -177,8 +185,7 @@ def _settings(variant: Variant, rng: random.Random) -> dict[str, Value]:
             chosen[name] = rng.random() < 0.5
         elif isinstance(default, int):
             low = 0 if setting.least is None else setting.least
-            high = max(low, default if setting.most is None else min(default, setting.most))
-            chosen[name] = rng.randint(low, high)
+            chosen[name] = rng.randint(low, max(low, min(default, low + 20)))
     return chosen
 
 

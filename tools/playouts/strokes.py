@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from math import hypot
 from typing import TYPE_CHECKING
 
+from engine.game.phrases import RESERVED
 from engine.game.referee import look_ahead
 from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import Rest, ball_to_strike
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
     from engine.game.situation import Situation
     from engine.table.furniture import Point
     from engine.variant.variant import Value, Variant
-    from rulelang.events import Event
     from rulelang.evaluate import Admission
+    from rulelang.events import Event
 
 RARE = (
     (lambda tale: e.TipHitAgain(tale.cue)),
@@ -98,13 +99,12 @@ class Tale:
 
     def zone(self, ball: BallId) -> None:
         """Let a ball enter a zone, or leave one that it is in."""
-        names = self.variant.program.vocabulary.zones
+        known = self.variant.program.vocabulary.zones
+        names = [zone for zone in known if zone not in RESERVED]
         if not names:
             return
         name, inside = self.rng.choice(names), self.zones.setdefault(ball, set())
-        self.events.append(
-            e.ZoneLeft(ball, name) if name in inside else e.ZoneEntered(ball, name)
-        )
+        self.events.append(e.ZoneLeft(ball, name) if name in inside else e.ZoneEntered(ball, name))
         inside ^= {name}
 
     def topple(self, ball: BallId) -> None:
@@ -233,8 +233,8 @@ def _begun(variant: Variant, situation: Situation, rng: Random) -> Tale | None:
     cue = ball_to_strike(variant, situation)
     if situation.strikable:
         cue = rng.choice(sorted(situation.strikable & set(live)) or [cue])
-    elif live and rng.random() < 0.01:
-        cue = rng.choice(live)
+    elif rng.random() < 0.01:
+        cue = rng.choice([ball for ball in variant.cue_balls if ball in live] or [cue])
     if cue not in live:
         return None
     zones = {ball: set(map(str, at)) for ball, at in situation.rest.zones.items()}
@@ -263,9 +263,7 @@ def _told(
     )
 
 
-def _anywhere(
-    variant: Variant, balls: list[BallId], rng: Random
-) -> dict[BallId, Point] | None:
+def _anywhere(variant: Variant, balls: list[BallId], rng: Random) -> dict[BallId, Point] | None:
     """Return places (m) on the bed for the balls, none over another; None where there is no room.
 
     Now and then a ball lies on one of the spots.
@@ -292,9 +290,7 @@ def _anywhere(
     return lying
 
 
-def _any_call(
-    variant: Variant, situation: Situation, ahead: Admission, rng: Random
-) -> Call:
+def _any_call(variant: Variant, situation: Situation, ahead: Admission, rng: Random) -> Call:
     if not ahead.required and rng.random() < 0.9:
         return NO_CALL
     words = variant.program.vocabulary
