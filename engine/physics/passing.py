@@ -53,12 +53,11 @@ def liftoffs(trace: Trace) -> list[BallLeftBed]:
 def _passages(trace: Trace, row: Floats) -> Iterator[tuple[float, int]]:
     """Yield when one flight passes over other balls, and which."""
     gone, pieces = _gone(trace), trace.pieces
-    lasting = pieces[:, state.P_KIND] == state.REST
     early = pieces[:, state.P_T0] < row[state.P_T1]
-    for piece in pieces[early & (lasting | (pieces[:, state.P_T1] > row[state.P_T0]))]:
+    for piece in pieces[early & (pieces[:, state.P_T1] > row[state.P_T0])]:
         me, other = int(row[state.P_BALL]), int(piece[state.P_BALL])
         start = max(row[state.P_T0], piece[state.P_T0])
-        end = min(row[state.P_T1], gone.get(other, np.inf), _end(trace, piece))
+        end = min(row[state.P_T1], gone.get(other, np.inf), piece[state.P_T1])
         if other == me or start >= end:
             continue
         time = _nearest(row, piece, start, end)
@@ -73,11 +72,6 @@ def _passages(trace: Trace, row: Floats) -> Iterator[tuple[float, int]]:
 def _gone(trace: Trace) -> dict[int, float]:
     leaving = np.isin(trace.log[:, state.E_KIND], (state.DROPPED, state.LEFT))
     return {int(row[state.E_FIRST]): float(row[state.E_TIME]) for row in trace.log[leaving]}
-
-
-def _end(trace: Trace, piece: Floats) -> float:
-    """Return the end of a piece; a ball at rest stays for the whole trace."""
-    return trace.duration if piece[state.P_KIND] == state.REST else float(piece[state.P_T1])
 
 
 def _nearest(row: Floats, piece: Floats, low: float, high: float) -> float | None:

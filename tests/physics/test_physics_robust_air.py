@@ -375,3 +375,32 @@ def test_names_decide_nothing_in_the_air(places, strike, order):
     times = np.linspace(0.0, one.duration, 30)
     seat = [yours.index(name) for name in mine]
     assert (two.positions(times)[:, seat] == one.positions(times)).all()
+
+
+# who has jumped over whom
+
+
+def jumped(gap, speed):
+    """A ball jumped at another `gap` m ahead: the kinds of events in which both have a part."""
+    layout = {"b0": (-1.0, 0.0), "b1": (-1.0 + gap, 0.0)}
+    trace = simulate(make_world(2), layout, "b0", Strike(speed, 0.0, radians(60)))
+    early = [e for e in trace.events() if e.time < 0.35]
+    return [type(e) for e in early if isinstance(e, BallJumpedOver | BallsCollided)]
+
+
+def test_passed_wholly_touched_in_passing_landed_on_and_not_reached():
+    assert jumped(0.095, 1.9) == [BallJumpedOver]
+    assert jumped(0.13, 1.9) == [BallsCollided, BallJumpedOver]  # on its way over
+    assert jumped(0.16, 2.1) == [BallJumpedOver, BallsCollided]  # on its way down behind
+    assert jumped(0.17, 1.9) == [BallsCollided]
+    assert jumped(0.6, 1.9) == []
+
+
+def test_a_ball_that_has_rolled_away_is_not_jumped_over_where_it_was():
+    world, start = bedded(), {"b0": Motion((1.0, 0.0), (0.0, 0.0, 0.0), 1.0, 0.06)}
+    start["b1"] = Motion((0.0, 1.5), (-1.5 / R, 0.0, 0.0))
+    trace = throw_balls(world, {"b0": (-0.2, 0.0), "b1": (0.0, 0.0)}, start)
+    assert not told(trace, BallJumpedOver)
+    start["b1"] = REST
+    trace = throw_balls(world, {"b0": (-0.1, 0.0), "b1": (0.0, 0.0)}, start)
+    assert len(told(trace, BallJumpedOver)) == 1
