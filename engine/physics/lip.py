@@ -50,6 +50,9 @@ SLIPS = 0.05
 SLOW = 0.05
 """An approach (m/s) in the hole that does not bounce: a ball settles instead of trembling."""
 
+NUDGE = 1e-9
+"""By how much (m, s) a ball is moved off a jaw, so that it is seen to be off."""
+
 LONGEST = 20.0
 """Time (s) after which a ball that has found no way out of a hole is taken to lie in it."""
 
@@ -202,6 +205,12 @@ def _lean_over(
     while going and time < LONGEST:
         h = STEP
         _lean_step(y, h, hole, rho, whirl, inertia, new)
+        angle = start + new[2]
+        if not _at_bed(cos(angle), sin(angle), hole):
+            if whirl * (new[2] - y[2]) <= 0.0:
+                break
+            whirl *= -hole[H_E]  # a jaw stands there
+            continue
         if _leaves(new, hole, rho, whirl):
             going = False
             h = _last_step(y, h, hole, rho, whirl, inertia, new)
@@ -330,6 +339,10 @@ def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> 
         trial[:] = body
         _drift(trial, STEP, hole[H_GRAVITY])
         h = STEP
+        if _past_jaw(body, trial, hole):
+            _off_jaw(body, hole)
+            time += NUDGE
+            continue
         gap = _gap(trial, hole, normal)
         if gap < 0.0 and not touching:
             low, high = 0.0, STEP
@@ -362,6 +375,28 @@ def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> 
         if outcome >= 0:
             return outcome, time
     return CAPTURED, time
+
+
+@kernel_with_arrays
+def _past_jaw(body: Floats, trial: Floats, hole: Floats) -> bool:
+    """Say whether a ball over the lip would go on into the jaw where the bed ends."""
+    outside = hypot(trial[B_X], trial[B_Y]) > hole[H_RADIUS] - hole[H_BALL]
+    if not outside or trial[B_Z] > hole[H_RIM] + hole[H_BALL]:
+        return False
+    return _at_bed(body[B_X], body[B_Y], hole) and not _at_bed(trial[B_X], trial[B_Y], hole)
+
+
+@kernel_with_arrays
+def _off_jaw(body: Floats, hole: Floats) -> None:
+    """Turn back what a ball has of speed round the hole."""
+    d = hypot(body[B_X], body[B_Y])
+    tx, ty = -body[B_Y] / d, body[B_X] / d
+    change = (1.0 + hole[H_E]) * (body[B_VX] * tx + body[B_VY] * ty)
+    body[B_VX] -= change * tx
+    body[B_VY] -= change * ty
+    away = NUDGE if change < 0.0 else -NUDGE
+    body[B_X] += away * tx
+    body[B_Y] += away * ty
 
 
 @kernel_with_arrays

@@ -40,6 +40,9 @@ GAIN = 1e-12
 MOMENTUM = 1e-12
 """By how much (kg m/s) rounding may change the momentum of balls that meet."""
 
+BESIDE = 5e-3
+"""How far (m) beside a drop a ball may be that comes out of it."""
+
 MOMENTS = 512
 """So many moments are looked at together, which bounds the memory."""
 
@@ -88,7 +91,7 @@ def examine(trace: Trace, furniture: World | Table | None = None) -> Findings:
     gap, overlap, sunk = _apart(reading, _noses(furniture), furniture)
     left = trace.log[trace.log[:, state.E_KIND] == state.LEFT, state.E_FIRST]
     flown = trace.pieces[trace.pieces[:, state.P_KIND] == state.FLY, state.P_BALL]
-    gain = _gain(reading, before, after)
+    gain = _gain(reading, before, after, _pits(furniture))
     finite = bool(np.isfinite(trace.pieces).all() and np.isfinite(trace.log).all())
     return Findings(
         finite=finite and bool(np.isfinite(gain)),
@@ -96,29 +99,78 @@ def examine(trace: Trace, furniture: World | Table | None = None) -> Findings:
         overlap=overlap,
         sunk=sunk,
         gain=max(gain, 0.0),
-        momentum=_momentum(reading, before, after),
+        momentum=_momentum(reading, before, after, _bed_share(furniture)),
         lost=int((~np.isin(left, flown)).sum()),
         torn=_torn(reading, before, after),
     )
 
 
-def _gain(reading: Reading, before: States, after: States) -> float:
-    """Return the most energy (J) won at a moment, or from one to the next."""
-    old, new = (_energy(reading, states) for states in (before, after))
-    won = np.concatenate([new - old, old[1:] - new[:-1]])
-    return float(won.max(initial=0.0))
+def _pits(furniture: World | Table | None) -> Floats:
+    """Return the pockets (k, 3) of `rim-lip`, in which a ball's way is told by a few places."""
+    if furniture is None or isinstance(furniture, Table):
+        return np.empty((0, 3))
+    drops = packed(furniture).drops
+    return drops[drops[:, state.D_MODEL] == state.RIM_LIP, :3]
 
 
-def _energy(reading: Reading, states: States) -> Floats:
-    """Return the energy (k,) of motion, rotation and height at each knot, J."""
-    masses, radii, trace = reading.masses, reading.radii, reading.trace
+def _in_pit(reading: Reading, pits: Floats, pieces: Ints, x: Floats, y: Floats) -> Bools:
+    """Say which balls (t, n) are on such a way."""
+    inside = np.zeros(pieces.shape, dtype=np.bool_)
+    for cx, cy, size in pits:
+        inside |= np.hypot(x - cx, y - cy) <= size + BESIDE
+    flies: Bools = reading.columns[state.P_KIND][pieces] == state.FLY
+    return inside & flies
+
+
+def _bed_share(furniture: World | Table | None) -> float:
+    """Return what part of a blow's momentum the bed may take: none but by `mathavan-2014`."""
+    if furniture is None or isinstance(furniture, Table):
+        return 0.0
+    if furniture.models.ball_ball != "mathavan-2014":
+        return 0.0
+    rows, contact = packed(furniture).rows, furniture.contact
+    rubs = (contact.friction_floor + contact.friction_rise) * (1.0 + rows[:, state.GRIP].max())
+    return 2.0 * float(rubs * rows[:, state.SLIDING].max())
+
+
+def _gain(reading: Reading, before: States, after: States, pits: Floats) -> float:
+    """Return the most energy (J) won at a moment, or from one to the next, by those not yet gone.
+
+    In a pit a ball counts with what it had when it came; what it has when it leaves is compared.
+    """
+    old, new = (_energies(reading, states) for states in (before, after))
+    if len(pits):
+        _hold(reading, before, after, pits, old, new)
+    knots, gone = reading.knots[:, None], reading.gone
+    at_once = np.where(knots <= gone, new - old, 0.0).sum(-1)
+    between = np.where(knots[:-1] < gone, old[1:] - new[:-1], 0.0).sum(-1)
+    return float(np.concatenate([at_once, between]).max(initial=0.0))
+
+
+def _hold(
+    reading: Reading, before: States, after: States, pits: Floats, old: Floats, new: Floats
+) -> None:
+    """Let the energies (k, n) of balls in pits stay what they were when they came."""
+    was, is_in = (
+        _in_pit(reading, pits, pieces, states.places[..., 0], states.places[..., 1])
+        for pieces, states in ((reading.before, before), (reading.after, after))
+    )
+    for ball in np.flatnonzero((was | is_in).any(0)):
+        held = old[0, ball]
+        for k in np.flatnonzero((was | is_in)[:, ball]):
+            held = held if was[k, ball] and k > 0 and is_in[k - 1, ball] else old[k, ball]
+            old[k, ball] = held
+            new[k, ball] = held if is_in[k, ball] else new[k, ball]
+
+
+def _energies(reading: Reading, states: States) -> Floats:
+    """Return each ball's energy (k, n) of motion, rotation and height at each knot, J."""
+    radii, trace = reading.radii, reading.trace
     each = 0.5 * (states.velocity**2).sum(-1) + 0.2 * radii**2 * (states.spin**2).sum(-1)
     if trace.flies:
-        here = reading.knots[:, None] <= reading.gone
-        above = np.maximum(states.places[..., 2] - radii, 0.0)
-        each = each + np.where(here, trace.gravity * above, 0.0)
-    total: Floats = (masses * each).sum(-1)
-    return total
+        each = each + trace.gravity * (states.places[..., 2] - radii)
+    energies: Floats = reading.masses * each
+    return energies
 
 
 def _torn(reading: Reading, before: States, after: States) -> float:
@@ -128,8 +180,11 @@ def _torn(reading: Reading, before: States, after: States) -> float:
     return float(moved[here].max(initial=0.0))
 
 
-def _momentum(reading: Reading, before: States, after: States) -> float:
-    """Return the worst change of momentum (kg m/s) where balls met and touched nothing else."""
+def _momentum(reading: Reading, before: States, after: States, share: float) -> float:
+    """Return the worst change of momentum (kg m/s) where balls met and touched nothing else.
+
+    What the bed may take, that `share` of the balls' own changes, is not counted.
+    """
     log, knots = reading.trace.log, reading.knots
     at = np.searchsorted(knots, log[:, state.E_TIME])
     known = at < len(knots)
@@ -145,6 +200,8 @@ def _momentum(reading: Reading, before: States, after: States) -> float:
     bound[at[rows], log[rows, state.E_FIRST].astype(np.int64)] = True
     change = reading.masses[:, None] * (after.velocity - before.velocity)[..., :2]
     total = np.abs((change * meets[..., None]).sum(1)).max(-1)
+    if share > 0.0:
+        total = np.maximum(total - share * (np.abs(change).sum(-1) * meets).sum(1), 0.0)
     return float(total[~(meets & bound).any(-1)].max(initial=0.0))
 
 
@@ -161,6 +218,7 @@ def _apart(
 ) -> tuple[float, float, float]:
     """Return the smallest gap of two balls, the greatest overlap since the start, and `sunk`."""
     times, pieces = reading.between()
+    pits = _pits(furniture)
     height = None
     if furniture is not None:
         table = furniture if isinstance(furniture, Table) else furniture.table
@@ -172,6 +230,8 @@ def _apart(
         run = slice(first, first + MOMENTS)
         centres = reading.centres(pieces[run], times[run])
         here = times[run, None] <= reading.gone
+        if len(pits):
+            here &= ~_in_pit(reading, pits, pieces[run], centres[0], centres[1])
         square = _squares(centres, here, pairs, space=3 if reading.trace.flies else 2)
         start = square[0] if start is None else start
         least = np.minimum(least, square.min(0))

@@ -110,7 +110,7 @@ def meet_cluster(asked: Asked) -> None:
 def reach_pocket(asked: Asked) -> None:
     """Take a ball over the lip: what becomes of it is known at once and told when it is time."""
     ball, row, drop = asked.who, asked.rows[asked.who], asked.world.drops[asked.other]
-    body, way = _body(row, drop), np.empty((NODES, 1 + lip.BODY))
+    body, way = _body(row, drop), np.zeros((NODES, 1 + lip.BODY))
     outcome, time, count = lip.fall(body, _hole(asked, asked.other), way)
     body[lip.B_X] += drop[state.D_X]
     body[lip.B_Y] += drop[state.D_Y]
@@ -169,7 +169,11 @@ def _hole(asked: Asked, pocket: int) -> Floats:
     key = pocket, float(row[state.REACH])
     if key not in known:
         known[key] = mouth_of(asked, pocket, float(row[state.REACH]))
-    hole[[lip.H_BED_X, lip.H_BED_Y, lip.H_BED_COS]] = known[key]
+    bx, by, half = known[key]
+    x, y = row[state.X] - drop[state.D_X], row[state.Y] - drop[state.D_Y]
+    # where it came from the bed is open, whatever the mouth looks like
+    came = (x * bx + y * by) / max(hypot(x, y), 1e-9)
+    hole[[lip.H_BED_X, lip.H_BED_Y, lip.H_BED_COS]] = bx, by, min(half, came - 1e-9)
     return hole
 
 
@@ -177,11 +181,10 @@ def mouth_of(asked: Asked, pocket: int, reach: float) -> tuple[float, float, flo
     """Return the way from a pocket to the bed and the cosine of the half angle that lies open.
 
     Open are the directions, from the mouth's on, in which a ball's centre at the drop's edge is
-    clear of all noses and on the bed.
+    clear of all noses.
     """
-    furniture = asked.world.world.table
     drop = asked.world.drops[pocket]
-    (ax, ay), (bx, by) = furniture.pockets[pocket].mouth
+    (ax, ay), (bx, by) = asked.world.world.table.pockets[pocket].mouth
     mx, my = 0.5 * (ax + bx) - drop[state.D_X], 0.5 * (ay + by) - drop[state.D_Y]
     size = hypot(mx, my)
     start = np.arctan2(my, mx) if size > 1e-9 else 0.0
@@ -190,8 +193,7 @@ def mouth_of(asked: Asked, pocket: int, reach: float) -> tuple[float, float, flo
         for angle in (start + step, start - step):
             x = drop[state.D_X] + drop[state.D_SIZE] * np.cos(angle)
             y = drop[state.D_Y] + drop[state.D_SIZE] * np.sin(angle)
-            on_bed = abs(x) <= furniture.length / 2 and abs(y) <= furniture.width / 2
-            if not on_bed or nearest_nose(asked.noses, x, y) < reach:
+            if nearest_nose(asked.noses, x, y) < reach:
                 half = max(step - steps[1], 0.0)
                 return float(np.cos(start)), float(np.sin(start)), float(np.cos(half))
     return 1.0, 0.0, -1.0

@@ -29,6 +29,10 @@ CUSHIONS = ("foot", "left-foot", "left-head", "head", "right-head", "right-foot"
 POCKETS = ("foot-left", "side-left", "head-left", "head-right", "side-right", "foot-right")
 
 
+RIM = 0.05
+"""Height (m) of what stands behind a pocket where nothing is said: higher than any nose."""
+
+
 @dataclass(frozen=True, slots=True)
 class PocketCut:
     """How a pocket is cut into the cushions.
@@ -37,7 +41,8 @@ class PocketCut:
     cross; `angle` (rad) is the cut angle between facing and cushion (WPA specifications 9: 142
     degrees at a corner, 104 at a side; 135 and 90 make parallel facings); `shelf` (m) runs from
     the mouth to the drop; `jaw_radius` (m) rounds the tip, and is the whole jaw where it is
-    large; `radius` (m) is that of the drop circle.
+    large; `radius` (m) is that of the drop circle. `lip`, `rim`, `restitution`, `friction` and
+    `model` are those of the pocket.
     """
 
     mouth: float
@@ -45,6 +50,25 @@ class PocketCut:
     shelf: float
     jaw_radius: float
     radius: float
+    lip: float = 0.0
+    rim: float = RIM
+    restitution: float = 0.2
+    friction: float = 0.2
+    model: str | None = None
+
+    def pocket(self, name: PocketId, centre: Point, mouth: tuple[Point, Point]) -> Pocket:
+        """Return a pocket of this kind."""
+        return Pocket(
+            name,
+            centre,
+            self.radius,
+            mouth,
+            model=self.model,
+            lip=self.lip,
+            rim=self.rim,
+            restitution=self.restitution,
+            friction=self.friction,
+        )
 
     def __post_init__(self) -> None:
         sizes = (self.mouth, self.jaw_radius, self.radius)
@@ -205,7 +229,7 @@ def _pocket(joint: _Joint) -> Pocket:
     first, second = joint.tips
     middle = (first[0] + second[0]) / 2.0, (first[1] + second[1]) / 2.0
     centre = _along(middle, joint.axis, joint.cut.shelf + joint.cut.radius)
-    return Pocket(joint.pocket, centre, joint.cut.radius, (first, second))
+    return joint.cut.pocket(joint.pocket, centre, (first, second))
 
 
 def _tangent(cut: PocketCut) -> float:

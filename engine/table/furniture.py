@@ -96,7 +96,8 @@ class Jaw:
 class Pocket:
     """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops.
 
-    `rubber` is that of its jaws and `model` its own where they differ from the table's; `lip` is
+    `rubber` and `jaw_model` are those of its jaws and `model` its own where they differ from the
+    table's; `lip` is
     the radius (m) of the round edge over which a ball falls, `rim` the height (m) of what stands
     behind the drop, `restitution` and `friction` those of what it meets there. `value` is what the
     game counts for a ball in it.
@@ -110,9 +111,10 @@ class Pocket:
     model: str | None = None
     lip: float = 0.0
     rim: float = 0.0
-    restitution: float = 0.5
+    restitution: float = 0.2
     friction: float = 0.2
     value: int = 0
+    jaw_model: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape, ball:
     axis = across[1] / hypot(*across), -across[0] / hypot(*across)
     middle = (tips[0][0] + tips[1][0]) / 2.0, (tips[0][1] + tips[1][1]) / 2.0
     centre = _ahead(middle, axis, cut.shelf + cut.radius)
-    pocket = Pocket(name, centre, cut.radius, tips)
+    pocket = cut.pocket(name, centre, tips)
     entering = _jaw(cut, tips[0], way_in, axis, -1.0)
     leaving = _jaw(cut, tips[1], (-way_out[0], -way_out[1]), axis, 1.0)
     _check_throat(cut, (entering[-1], leaving[-1]), axis, ball)

@@ -19,6 +19,7 @@ from engine.variant.ballset import (
     group_members,
     place_of,
 )
+from engine.variant.covering import cover
 from engine.variant.furnish import Surveyor, furnish
 from engine.variant.pinset import build_pins
 from engine.variant.rack import build_rack, check_own_spots
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from engine.physics.world import Ball
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import BallShape, SettingShape, TableShape, VariantSpec
+    from engine.variant.spec import BallShape, DropShape, SettingShape, TableShape, VariantSpec
     from engine.variant.variant import BallKind, PinKind, Rack
 
 
@@ -67,9 +68,10 @@ def assemble(spec: VariantSpec, report: Report) -> Draft | None:
     players = _players(spec, report)
     settings = _settings(spec, report)
     models = _models(spec, report)
+    _check_pocket_models(spec.table, report)
     if table is None:
         return None
-    table = replace(table, pins=pins)
+    table = cover(replace(table, pins=pins), spec.table, _rubber(spec), report)
     world = World(table, physical, _cloth(spec), _contact(spec), _rubber(spec), _cue(spec), models)
     look = Look(
         spec.cloth.colour, spec.table.rail_colour, spec.table.pocket_colour, spec.table.sights
@@ -219,11 +221,29 @@ def _models(spec: VariantSpec, report: Report) -> Models:
             continue
         known = MODEL_NAMES[field.name]
         if name not in known:
-            message = f"there is no {field.name} model called `{name}`"
-            report.add("V106", ("models", field.name), message, nearest(name, known))
+            _unknown_model(field.name, name, ("models", field.name), report)
         else:
             models = replace(models, **{field.name: name})
     return models
+
+
+def _unknown_model(field: str, name: str, path: KeyPath, report: Report) -> None:
+    message = f"there is no {field} model called `{name}`"
+    report.add("V106", path, message, nearest(name, MODEL_NAMES[field]))
+
+
+def _check_pocket_models(table: TableShape, report: Report) -> None:
+    """Report pockets, or kinds of pockets, with a model that is none."""
+    drops: dict[KeyPath, DropShape] = {}
+    if table.pockets:
+        drops["table", "pockets", "corner"] = table.pockets.corner
+        drops["table", "pockets", "side"] = table.pockets.side
+    if table.outline:
+        drops |= {("table", "outline", "cuts", n): cut for n, cut in table.outline.cuts.items()}
+    drops |= {("table", "holes", name): hole for name, hole in table.holes.items()}
+    for path, drop in drops.items():
+        if drop.model is not None and drop.model not in MODEL_NAMES["pocket"]:
+            _unknown_model("pocket", drop.model, (*path, "model"), report)
 
 
 def _cloth(spec: VariantSpec) -> Cloth:
@@ -239,12 +259,29 @@ def _cloth(spec: VariantSpec) -> Cloth:
 
 def _contact(spec: VariantSpec) -> Contact:
     one = spec.balls.contact
-    return Contact(one.restitution, one.friction_floor, one.friction_rise, one.friction_decay)
+    return Contact(
+        restitution=one.restitution,
+        friction_floor=one.friction_floor,
+        friction_rise=one.friction_rise,
+        friction_decay=one.friction_decay,
+        cluster_gap=one.cluster_gap,
+        restitution_slope=one.restitution_slope,
+        restitution_knee=one.restitution_knee,
+    )
 
 
 def _rubber(spec: VariantSpec) -> Rubber:
     one = spec.table.rubber
-    return Rubber(one.restitution, one.restitution_slope, one.restitution_knee, one.friction)
+    return Rubber(
+        restitution=one.restitution,
+        restitution_slope=one.restitution_slope,
+        restitution_knee=one.restitution_knee,
+        friction=one.friction,
+        restitution_bend=one.restitution_bend,
+        restitution_least=one.restitution_least,
+        friction_slope=one.friction_slope,
+        frequency_ratio=one.frequency_ratio,
+    )
 
 
 def _cue(spec: VariantSpec) -> Cue:

@@ -179,7 +179,18 @@ def _check_names(outline: OutlineShape, report: Report) -> None:
 
 def _cut(shape: PocketShape, path: KeyPath, report: Report) -> PocketCut | None:
     try:
-        return PocketCut(shape.mouth, shape.cut, shape.shelf, shape.jaw_radius, shape.radius)
+        return PocketCut(
+            shape.mouth,
+            shape.cut,
+            shape.shelf,
+            shape.jaw_radius,
+            shape.radius,
+            lip=shape.lip,
+            rim=shape.rim,
+            restitution=shape.restitution,
+            friction=shape.friction,
+            model=shape.model,
+        )
     except ValueError as error:
         report.add("V405", path, str(error), _CUTS, on_key=True)
         return None
