@@ -163,7 +163,8 @@ def give_rubber(world: World, noses: NDArray[np.float64], owners: tuple[Owner, .
             rubber, name = cushion.rubber or rubber, cushion.model or name
             row[state.N_UPRIGHT] = 1.0 if cushion.upright else 0.0
         elif owner.pocket is not None:
-            rubber = pockets[owner.pocket].rubber or rubber
+            pocket = pockets[owner.pocket]
+            rubber, name = pocket.rubber or rubber, pocket.jaw_model or name
         _cover(row, rubber, name)
 
 

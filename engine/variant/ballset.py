@@ -132,7 +132,16 @@ def _label(name: str, shape: BallShape) -> str:
 def bodies(spec: BallSet, balls: Mapping[str, BallShape]) -> tuple[Ball, ...]:
     """Return the balls as the physics knows them."""
     return tuple(
-        Ball(BallId(name), (shape.diameter or spec.diameter) / 2, shape.mass or spec.mass)
+        Ball(
+            BallId(name),
+            (shape.diameter or spec.diameter) / 2,
+            shape.mass or spec.mass,
+            sliding=shape.sliding,
+            rolling=shape.rolling,
+            spin_deceleration=shape.spin_deceleration,
+            restitution=shape.restitution,
+            grip=1.0 if shape.grip is None else shape.grip,
+        )
         for name, shape in balls.items()
     )
 
