@@ -84,7 +84,7 @@ def standing(
     """Return which pins can be put up beside balls at these places: those with air around them.
 
     `radii` (m) has all balls that there are; a pin keeps as far from a small ball as from the
-    surface of the largest one. Source: DDBU Keglebillard, a pin whose place is blocked waits.
+    surface of the largest one. Source: DDBU, a pin whose place is blocked waits.
     """
     largest = max(radii.values(), default=0.0)
 
