@@ -12,6 +12,8 @@ from dataclasses import dataclass, replace
 from math import atan2
 from typing import TYPE_CHECKING, TypeVar
 
+from engine.table.furniture import BallId
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
@@ -19,9 +21,11 @@ if TYPE_CHECKING:
     from engine.physics.batch import Stroke
     from engine.physics.trace import Trace
     from engine.physics.world import Layout, Strike, World
-    from engine.table.furniture import BallId, Point
+    from engine.table.furniture import Point
 
     Kept = TypeVar("Kept")
+    Places = Mapping[str, Point]
+    """Where balls lie (m), by name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +36,13 @@ class Lab:
     world: World
     cue_balls: tuple[BallId, ...]
 
-    def opening(self, seed: int = 0) -> dict[BallId, Point]:
+    def opening(self, seed: int = 0) -> dict[str, Point]:
         """Return where all balls lie (m) when a game opens; balls placed by lot follow the seed."""
         from engine.game.placing import opening_layout  # noqa: PLC0415  reads the rules
         from engine.variant.load import load_variant  # noqa: PLC0415
 
-        return opening_layout(load_variant(self.name), seed)
+        layout = opening_layout(load_variant(self.name), seed)
+        return {str(ball): place for ball, place in layout.items()}
 
     def with_models(self, **names: str) -> Lab:
         """Return the same table with other models, such as `ball_cushion="han-2005"`.
@@ -46,18 +51,19 @@ class Lab:
         """
         return replace(self, world=replace(self.world, models=replace(self.world.models, **names)))
 
-    def shoot(self, layout: Layout, strike: Strike, ball: BallId | None = None) -> Trace:
+    def shoot(self, layout: Places, strike: Strike, ball: str | None = None) -> Trace:
         """Return the shot: the first cue ball, or another `ball`, struck among the others.
 
         Raises ValueError for what cannot be.
         """
         from engine.physics.simulate import simulate  # noqa: PLC0415
 
-        return simulate(self.world, layout, ball or self.cue_balls[0], strike)
+        struck = BallId(ball or self.cue_balls[0])
+        return simulate(self.world, _named(layout), struck, strike)
 
     def shoot_all(
         self,
-        shots: Sequence[tuple[Layout, Strike]],
+        shots: Sequence[tuple[Places, Strike]],
         workers: int = 1,
         keep: Callable[[Trace], Kept] | None = None,
     ) -> list[Trace] | list[Kept]:
@@ -68,7 +74,7 @@ class Lab:
         from engine.physics.batch import simulate_batch  # noqa: PLC0415
 
         struck = self.cue_balls[0]
-        strokes: list[Stroke] = [(layout, struck, strike) for layout, strike in shots]
+        strokes: list[Stroke] = [(_named(layout), struck, strike) for layout, strike in shots]
         return simulate_batch(self.world, strokes, workers, keep)
 
 
@@ -86,15 +92,20 @@ def load(name_or_path: str | Path) -> Lab:
     return Lab(name_or_path, draft.world, draft.cue_balls)
 
 
-def aim(layout: Mapping[BallId, Point], ball: BallId, at: BallId | Point) -> float:
+def _named(layout: Places) -> Layout:
+    return {BallId(name): place for name, place in layout.items()}
+
+
+def aim(layout: Places, ball: str, at: str | Point) -> float:
     """Return the heading (rad) from a ball to another, or to a place (m)."""
-    (x, y), (u, v) = layout[ball], layout[at] if isinstance(at, str) else at
+    (x, y) = layout[ball]
+    u, v = layout[at] if isinstance(at, str) else at
     return atan2(v - y, u - x)
 
 
-def column(trace: Trace, ball: BallId) -> int:
+def column(trace: Trace, ball: str) -> int:
     """Return the place of a ball along the ball axis of a trace's arrays."""
-    return [one.id for one in trace.balls].index(ball)
+    return [str(one.id) for one in trace.balls].index(ball)
 
 
 __all__ = ["Lab", "aim", "column", "load"]

@@ -141,6 +141,13 @@ def validation() -> str:
     return f"\n{summary(results)}\n\n{as_table(results)}\n"
 
 
+def robustness() -> str:
+    """Return which test is about which nasty configuration."""
+    from tools.robustness import table  # noqa: PLC0415
+
+    return table()
+
+
 MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
@@ -151,6 +158,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "commands": commands,
     "keys": keys,
     "validation": validation,
+    "robustness": robustness,
 }
 
 

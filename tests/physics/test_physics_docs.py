@@ -9,6 +9,7 @@ import pytest
 
 from engine import research
 from engine.variant.library import VariantError
+from tools.robustness import ROWS, rows
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "research.md"
@@ -60,3 +61,10 @@ def test_an_opening_is_struck():
 
     trace = lab.shoot(layout, Strike(6.0, 0.0))
     assert trace.balls[research.column(trace, "9")].id == "9"
+
+
+def test_every_nasty_configuration_has_a_test_and_stands_in_the_page():
+    assert sorted(rows()) == list(range(1, ROWS + 1))
+    page = (ROOT / "docs" / "physics.md").read_text(encoding="utf-8")
+    for tests in rows().values():
+        assert all(f"`{name}`" in page for _, name in tests)
