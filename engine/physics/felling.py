@@ -9,6 +9,7 @@ several are felled by all of them, so that no order of names decides.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from math import hypot, inf
 from typing import TYPE_CHECKING
 
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
 
     from engine.physics.asked import Asked
     from engine.physics.world import Layout, World
-    from engine.table.furniture import PinId, Point, Table
+    from engine.table.furniture import Pin, PinId, Point, Table
 
     Floats = NDArray[np.float64]
 
@@ -148,10 +149,15 @@ def set_up(world: World, layout: Layout, fallen: frozenset[PinId]) -> Felling:
     return Felling(
         world.table,
         tuple(pin.id for pin in pins),
-        tuple(body_of(pin, radius, world.cloth.gravity) for pin in pins),
+        _bodies(pins, radius, world.cloth.gravity),
         up,
         set(up),
     )
+
+
+@lru_cache(maxsize=16)
+def _bodies(pins: tuple[Pin, ...], radius: float, gravity: float) -> tuple[Body, ...]:
+    return tuple(body_of(pin, radius, gravity) for pin in pins)
 
 
 def meet_pin(asked: Asked) -> None:

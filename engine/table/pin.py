@@ -88,14 +88,15 @@ def standing(
     """
     largest = max(radii.values(), default=0.0)
 
-    def needs(pin: Pin, radius: float) -> float:
+    def has_air(pin: Pin, at: Point, radius: float) -> bool:
+        square = _square(pin.at, at)
+        if square > (radius + pin.belly + AIR) ** 2:
+            return True
         own = meeting(pin.profile, radius)[0]
-        return max(own, meeting(pin.profile, largest)[0] - largest + radius) + AIR
+        need = max(own, meeting(pin.profile, largest)[0] - largest + radius) + AIR
+        return square >= need * need
 
-    return tuple(
-        all(_square(pin.at, at) >= needs(pin, radii[ball]) ** 2 for ball, at in balls.items())
-        for pin in pins
-    )
+    return tuple(all(has_air(pin, at, radii[ball]) for ball, at in balls.items()) for pin in pins)
 
 
 def _square(a: Point, b: Point) -> float:
