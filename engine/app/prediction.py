@@ -14,6 +14,7 @@ import numpy as np
 from engine.app.session import Aid
 from engine.game.observe import simulate_shot
 from engine.physics.events import BallsCollided, CushionHit, JawHit, PinToppled, PinTouched
+from engine.physics.prepare import flies_at_once
 
 if TYPE_CHECKING:
     from engine.app.session import Session
@@ -46,8 +47,13 @@ class Prediction:
 
 
 def predict(session: Session) -> Prediction | None:
-    """Return what the stroke of a session would do, None where nothing can be struck."""
+    """Return what the stroke of a session would do, None where nothing can be struck.
+
+    None too while what a raised cue needs is still being compiled: the window would stand still.
+    """
     if session.cue_place is None:
+        return None
+    if session.stroke.elevation > 0.0 and not flies_at_once():
         return None
     trace = simulate_shot(session.variant, session.ahead, session.shot)
     return read_prediction(trace, session.cue_ball, whole=session.aid is Aid.ALL)

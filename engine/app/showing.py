@@ -154,7 +154,7 @@ class Showing:
             return []
         lying = session.ahead.rest.positions
         asked = (session.stroke, place, lying, session.cue_ball, session.aid)
-        if asked != self._asked:
+        if asked != self._asked or self._answer is None:
             self._asked, self._answer = asked, predict(session)
         return draw_prediction(self._answer, session.aid) if self._answer else []
 

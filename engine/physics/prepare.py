@@ -9,13 +9,13 @@ second process that fails or is late costs time alone.
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    import subprocess
     from collections.abc import Callable, Iterator
 
 PATIENCE = 120.0
@@ -50,6 +50,13 @@ def prepare_behind() -> None:
         start("flying")
 
 
+def flies_at_once() -> bool:
+    """Say whether a ball can fly without anything being compiled first."""
+    from engine.physics.flight import run_flying  # noqa: PLC0415  numba
+
+    return is_kept(run_flying)
+
+
 def is_kept(function: Callable[..., object]) -> bool:
     """Say whether a kernel has been compiled before; what is stale has been dropped."""
     kernel: Any = function
@@ -59,6 +66,8 @@ def is_kept(function: Callable[..., object]) -> bool:
 
 def start(share: str) -> subprocess.Popen[bytes] | None:
     """Let another process compile a share; None where there can be none."""
+    import subprocess  # noqa: PLC0415  not needed once all is compiled
+
     root = Path(__file__).parents[2]
     paths = [str(root), *filter(None, [os.environ.get("PYTHONPATH")])]
     with suppress(OSError):
@@ -73,6 +82,8 @@ def start(share: str) -> subprocess.Popen[bytes] | None:
 
 
 def _wait(helper: subprocess.Popen[bytes]) -> None:
+    import subprocess  # noqa: PLC0415  not needed once all is compiled
+
     try:
         helper.wait(PATIENCE)
     except subprocess.TimeoutExpired:
@@ -134,4 +145,12 @@ if __name__ == "__main__":
     compile_share(sys.argv[1])
 
 
-__all__ = ["SHARES", "compile_share", "is_kept", "prepare", "prepare_behind", "start"]
+__all__ = [
+    "SHARES",
+    "compile_share",
+    "flies_at_once",
+    "is_kept",
+    "prepare",
+    "prepare_behind",
+    "start",
+]
