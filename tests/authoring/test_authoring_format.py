@@ -22,7 +22,7 @@ from tools.scripts import random_script
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = sorted((ROOT / "variants").rglob("*.rules"))
-PAGES = sorted((ROOT / "docs").glob("*.md"))
+PAGES = [path for path in sorted((ROOT / "docs").glob("*.md")) if path.stem != "tutorial"]
 EXAMPLE = re.compile(r"```rules(?! broken)[^\n]*\n(.*?)```", re.DOTALL)
 EXAMPLES = [
     text
