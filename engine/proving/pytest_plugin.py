@@ -95,5 +95,5 @@ def _loader(config: pytest.Config) -> Load:
 
         folder = user_cache_path("headstring")
         loader = cache(lambda name: load_variant(name, folder))
-        config.stash[LOADER] = loader
+        config.stash[LOADER] = loader  # type: ignore[misc]
     return loader
