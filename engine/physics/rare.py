@@ -37,6 +37,9 @@ POCKETS = "pockets"
 NODES = 400
 """Places that are noted of a ball's way through a pocket, at most."""
 
+OUTSIDE = 1e-10
+"""How far (m) outside the drop a ball is at least that has come back from it."""
+
 CLEAR = 1e-7
 """A ball (m) that comes back must not lie deeper than this in a nose or another ball."""
 
@@ -264,7 +267,13 @@ def _put_back(asked: Asked, fallen: Fallen) -> None:
     """Let a ball go on on the bed, or above it where balls may fly."""
     row, body = asked.rows[fallen.ball], fallen.body
     row[state.T0] = asked.time
-    row[[state.X, state.Y, state.VX, state.VY]] = body[[0, 1, 3, 4]]
+    drop = asked.world.drops[fallen.pocket]
+    ex, ey = body[0] - drop[state.D_X], body[1] - drop[state.D_Y]
+    d = hypot(ex, ey)
+    ex, ey, out = ex / d, ey / d, max(d, drop[state.D_SIZE] + OUTSIDE)
+    inward = min(body[3] * ex + body[4] * ey, 0.0)
+    row[[state.X, state.Y]] = drop[state.D_X] + out * ex, drop[state.D_Y] + out * ey
+    row[[state.VX, state.VY]] = body[3] - inward * ex, body[4] - inward * ey
     row[[state.WX, state.WY, state.WZ]] = body[6:]
     row[state.Z], row[state.VZ] = row[state.RADIUS], 0.0
     asked.kinds[fallen.ball] = state.SLIDE

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from functools import cache
-from math import atan, cos, degrees, radians, sin, sqrt, tan
+from math import acos, atan, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
 from pathlib import Path
 
 import pytest
@@ -17,11 +17,12 @@ from tools.validate.tell import as_json, as_table, summary
 FILE = Path(__file__).with_name("checks.json")
 ROOT = Path(__file__).parents[2]
 
-CLUSTERS = {"J02", "J03", "J05", "J06"}
-"""Chains of touching and nearly touching balls, off by up to 5e-5 m/s of 1 and more with gaps."""
-
-MEASURED = {"K01": "e ball-rail", "K03": "1.0-1.5 m/s"}
-"""Measured figures that the shipped games miss, and which of their parts."""
+MEASURED = {
+    "D03": "V0=1.539 cut=33.83 [CB, OB]",
+    "K01": "e ball-rail",
+    "K03": "1.0-1.5 m/s",
+}
+"""Measured figures that are missed, and which of their parts."""
 
 
 @cache
@@ -29,19 +30,18 @@ def results():
     return {check.id: run_check(check) for check in read_checks(FILE)}
 
 
-def test_every_check_that_applies_passes_but_the_known_ones():
-    failing = {name for name, result in results().items() if result.status == "fail"}
-    assert failing == CLUSTERS | set(MEASURED)
-    for name, part in MEASURED.items():
-        missed = [a.wanted.quantity for a in results()[name].answers if a.status == "fail"]
-        assert missed == [part]
+def test_every_check_that_applies_passes_but_some_that_are_measured():
+    assert {name for name, result in results().items() if result.status == "fail"} == set()
+    for name, result in results().items():
+        missed = [a.wanted.quantity for a in result.answers if a.status == "differs"]
+        assert missed == ([MEASURED[name]] if name in MEASURED else [])
 
 
 def test_most_figures_are_answered_and_the_others_say_why():
     answers = [answer for result in results().values() for answer in result.answers]
     assert sum(answer.status == "pass" for answer in answers) >= 400
     for answer in answers:
-        assert bool(answer.reason) == (answer.status == "not-applicable")
+        assert bool(answer.reason) == (answer.status in {"not-applicable", "differs"})
         assert "prose" not in answer.reason
         assert "adapter" not in answer.reason
 
@@ -73,6 +73,11 @@ def ask(group, parameters, quantity, value, tol=1e-9, description="", **laws):
 
 
 SLICK = {"R": 0.03, "m": 0.2, "g": 9.8, "mu_s": 0.3, "mu_r": 0.02}
+ALONG, ASIDE = 1.8 * cos(radians(20.0)) ** 2, -1.8 * cos(radians(20.0)) * sin(radians(20.0))
+ENDS = 2.0 - 5.0 / 7.0 * ALONG, -5.0 / 7.0 * ASIDE
+SMOOTH = [hypot(*ENDS), 5.0 / 7.0 * hypot(ALONG, ASIDE), degrees(atan2(ENDS[1], ENDS[0])), 20.0]
+"""A smooth rolling ball of 2 m/s cut at 20 degrees with e = 0.8: speeds and angles after slip."""
+
 HAN = {"R": 0.03, "h": 0.039, "e": 0.7, "mu": 0.0}
 
 
@@ -129,6 +134,42 @@ HAN = {"R": 0.03, "h": 0.039, "e": 0.7, "mu": 0.0}
             [1.96 / (2 * 0.02 * 9.8), 0.0],
         ),
         ("J clusters", {"v": 2.0, "moving": 1, "cluster": "hertz"}, "velocities", [0.0, 2.0]),
+        (
+            "J clusters",
+            {"v": 2.0, "moving": 1, "e": 0.8, "cluster": "simultaneous"},
+            "velocities",
+            [-0.4, 1.2, 1.2],
+        ),
+        (
+            "J clusters",
+            {"speeds": [3.0, 0.0], "e": 0.8, "cluster": "sequential"},
+            "velocities",
+            [0.3, 2.7],
+        ),
+        (
+            "B ball-ball",
+            {"v": 3.0, "half_angle": 30.0, "e": 1, "mu_b": 0, "cluster": "simultaneous"},
+            "v_CB_x",
+            -0.6,
+        ),
+        (
+            "D rolling",
+            {**SLICK, "e": 0.8, "mu_b": 0.0},
+            "V0=2.0 cut=20.0 [CB, OB, CBang, OBang]",
+            SMOOTH,
+        ),
+        ("E cushion", {"e": 0.5, "mu": 0.1}, "vt=5.0 [vt_out, vn_out]", [4.475, 0.5]),
+        ("E cushion", {"e": 0.5, "mu": 0.1}, "vt=5.0 vn=2.0 [vt_out, vn_out]", [3.95, 1.0]),
+        ("E cushion", {"formula": "e=0.5+0.1 v ; mu=0.4-0.1 theta"}, "e(2.0)", 0.7),
+        ("E cushion", {"formula": "e=0.5 ; mu=0.4-0.1 theta"}, "mu(30 deg)", 0.4 - pi / 60.0),
+        (
+            "G airborne",
+            {"rho": 0.04, "g": 9.8},
+            "psi v0=0.2",
+            degrees(acos((10.0 + 7.0 * 0.04 / (9.8 * 0.04)) / 17.0)),
+        ),
+        ("G airborne", {"rho": 0.04, "g": 9.8}, "v0 immediate", sqrt(9.8 * 0.04)),
+        ("G airborne", {"h": 0.4, "g": 9.8, "e_t": 0.5}, "impact 1", sqrt(0.8 / 9.8)),
     ],
 )
 def test_other_figures_of_the_same_kinds(group, parameters, quantity, value):
@@ -150,14 +191,24 @@ def test_a_cluster_check_names_its_model():
         "B ball-ball", {"cluster": "rigid", "e": 1, "mu_b": 0, "motion": "stun"}, "v_CB_x", -0.2
     ).answers[0]
     assert answer.status == "not-applicable"
-    assert "rigid" in answer.reason
-    assert answer.got == pytest.approx(-0.2, abs=1e-3)
+    assert answer.reason == "needs the model rigid"
 
 
 def test_models_that_are_not_there_are_said():
-    stronge = ask("E cushion", {"e": 0.7, "mu": 0.2}, "vt=0.1 [vt_out, vn_out]", [0.0, 0.7])
-    assert stronge.answers[0].reason == "needs the model stronge"
+    other = ask("E cushion", {**HAN, "V": 1.0, "model": "foam"}, "inc=30 stun [vX,vY]", [0.0, 0.7])
+    assert other.answers[0].reason == "needs the model foam"
     assert ask("G airborne", {}, "impact 1", 0.1).status == "not-applicable"
+
+
+def test_a_measured_figure_may_differ_and_says_by_how_much():
+    wanted = (Wanted("mu_r", 0.02, 0.001, "abs"), Wanted("mu_s", 0.2, 0.1, "abs"))
+    check = Check("any", "K measured", "measured", "pool", "", {"variant": "eight_ball"}, wanted)
+    result = run_check(check)
+    assert result.status == "differs"
+    assert result.reasons == ("mu_r by -50.0 %",)
+    assert "1 differs" in summary([result])
+    strict = run_check(replace(check, kind="exact"))
+    assert strict.status == "fail"
 
 
 @pytest.mark.parametrize(
@@ -186,7 +237,7 @@ def test_a_figure_counts_to_its_twelfth_digit():
 
 def test_json_from_the_command_line(tmp_path):
     whole = json.loads(FILE.read_text(encoding="utf-8"))
-    few = [one for one in whole["checks"] if one["id"] in {"A01", "B11", "G01"}]
+    few = [one for one in whole["checks"] if one["id"] in {"A01", "B11", "K06"}]
     few[1]["expected"][0]["value"] = 0.5
     path = tmp_path / "few.json"
     path.write_text(json.dumps({"checks": few}), encoding="utf-8")
@@ -194,7 +245,8 @@ def test_json_from_the_command_line(tmp_path):
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     told = json.loads(done.stdout)
     assert done.returncode == 1
-    assert told["summary"] == {"checks": 3, "pass": 1, "fail": 1, "not-applicable": 1}
+    counts = {"checks": 3, "pass": 1, "fail": 1, "differs": 0, "not-applicable": 1}
+    assert told["summary"] == counts
     assert [one["status"] for one in told["checks"]] == ["pass", "fail", "not-applicable"]
     first = told["checks"][0]["quantities"][0]
     assert first["quantity"] == "slide_time"

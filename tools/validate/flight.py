@@ -20,9 +20,10 @@ from engine.physics.lip import leaving_angle
 from engine.physics.pack import packed
 from engine.physics.strike import Motion, strike_ball, tip_blow
 from engine.physics.world import Cue, Strike
+from engine.table.build import build_table
 from tools.validate.balls import KINDS as ON_THE_BED
 from tools.validate.cue import GRIP, STRAIGHT
-from tools.validate.lab import cloth_of, contact_of, throw, world_of
+from tools.validate.lab import OPEN, cloth_of, contact_of, radius_of, throw, world_of
 from tools.validate.prose import need, spoken
 
 if TYPE_CHECKING:
@@ -41,7 +42,9 @@ TURNS = [state.WX, state.WY, state.WZ]
 def _world(check: Check, n: int = 1) -> World:
     """Return balls that may fly over a bed with the check's restitution `e_t`."""
     cloth = replace(cloth_of(check), bounce=spoken(check, "e_t", "e_t ?= ?#"))
-    return world_of(check, n, cloth=cloth, flight="ballistic")
+    # `h` is a height to fall from here, not that of the noses
+    table = build_table(OPEN, OPEN, 1.27 * radius_of(check), None, None, 0.1)
+    return world_of(check, n, cloth=cloth, table=table, flight="ballistic")
 
 
 def _landings(check: Check, count: int) -> tuple[Trace, list[float], float]:
