@@ -81,6 +81,7 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
         },
         rest=take_up_positions(names.variant, rest, positions),
         in_hand=names.zone(spec.in_hand, (*path, "in_hand")),
+        offers=(),
     )
     if situation.in_hand is not None:
         situation = take_in_hand(names.variant, situation, situation.in_hand)
