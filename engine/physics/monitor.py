@@ -54,7 +54,8 @@ class Findings:
     `overlap` counts from how deep a pair lay at the start; `gap` is the smallest distance of two
     balls' surfaces, below zero in an overlap; `sunk` is how deep a ball lay in a nose; `torn` how
     far a piece begins from where the one before ended; `gain` is of energy; `momentum` the worst
-    error of a meeting; `lost` how many balls left the table without flying.
+    error of a meeting; `lost` how many balls left the table without flying; `below` how deep a
+    flying ball came into the bed, pockets with a lip apart.
     """
 
     finite: bool
@@ -65,6 +66,7 @@ class Findings:
     momentum: float
     lost: int
     torn: float = 0.0
+    below: float = 0.0
 
     def faults(self) -> tuple[str, ...]:
         """Return which rules are broken, in words; none for a sound shot."""
@@ -76,6 +78,7 @@ class Findings:
             f"energy grows by {self.gain:.3g} J": self.gain > GAIN,
             f"momentum is off by {self.momentum:.3g} kg m/s": self.momentum > MOMENTUM,
             f"{self.lost} balls left the table": self.lost > 0,
+            f"a flying ball lies {self.below:.3g} m in the bed": self.below > OVERLAP,
         }
         return tuple(words for words, holds in broken.items() if holds)
 
@@ -102,7 +105,22 @@ def examine(trace: Trace, furniture: World | Table | None = None) -> Findings:
         momentum=_momentum(reading, before, after, _bed_share(furniture)),
         lost=int((~np.isin(left, flown)).sum()),
         torn=_torn(reading, before, after),
+        below=_below(trace, furniture),
     )
+
+
+def _below(trace: Trace, furniture: World | Table | None) -> float:
+    """Return how deep (m) a flight comes into the bed: a flight is lowest at one of its ends."""
+    table = furniture if furniture is None or isinstance(furniture, Table) else furniture.table
+    rows = trace.pieces[trace.pieces[:, state.P_KIND] == state.FLY]
+    for pocket in table.pockets if table else ():
+        x, y = pocket.centre
+        away = np.hypot(rows[:, state.P_X] - x, rows[:, state.P_Y] - y)
+        rows = rows[away > pocket.radius + BESIDE]
+    radii = np.array([ball.radius for ball in trace.balls])[rows[:, state.P_BALL].astype(np.int64)]
+    spent = rows[:, state.P_T1] - rows[:, state.P_T0]
+    end = rows[:, state.P_Z] + spent * (rows[:, state.P_VZ] - 0.5 * trace.gravity * spent)
+    return float((radii - np.minimum(rows[:, state.P_Z], end)).max(initial=0.0))
 
 
 def _pits(furniture: World | Table | None) -> Floats:

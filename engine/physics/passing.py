@@ -45,7 +45,8 @@ def liftoffs(trace: Trace) -> list[BallLeftBed]:
     for k in np.flatnonzero(flies):
         ball = int(rows[k, state.P_BALL])
         bounced = k > 0 and flies[k - 1] and rows[k - 1, state.P_BALL] == ball
-        if not bounced and rows[k, state.P_Z] <= trace.balls[ball].radius + LEVEL:
+        low = rows[k, state.P_Z] <= trace.balls[ball].radius + LEVEL
+        if low and not bounced and rows[k, state.P_VZ] > 0.0:
             found.append(BallLeftBed(float(rows[k, state.P_T0]), trace.balls[ball].id))
     return sorted(found, key=lambda event: event.time)
 

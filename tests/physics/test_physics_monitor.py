@@ -33,6 +33,18 @@ def test_a_sound_shot_has_no_faults():
     assert -1e-15 < found.gap < 1e-12
 
 
+def test_a_flight_that_comes_into_the_bed_is_found():
+    world = make_world(1)
+    trace = simulate(world, {"b0": (0.0, 0.0)}, "b0", Strike(3.0, 0.0, 0.7))
+    assert examine(trace, world.table).below < 1e-12
+    pieces = trace.pieces.copy()
+    first = int(np.flatnonzero(pieces[:, state.P_KIND] == state.FLY)[0])
+    pieces[first, state.P_Z] -= 1e-6
+    found = examine(replace(trace, pieces=pieces), world.table)
+    assert found.below == pytest.approx(1e-6)
+    assert any("in the bed" in words for words in found.faults())
+
+
 def test_a_break_from_a_frozen_rack_keeps_momentum():
     layout = {"b0": (-0.6, 0.0), **{f"b{k + 1}": p for k, p in enumerate(rack(0.635))}}
     world = make_world(16, pockets=True)
