@@ -14,9 +14,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from engine.geometry.kernel import kernel, kernel_with_arrays
+from engine.geometry.kernel import kernel
 from engine.physics.state import (
     RADIUS,
     SLIDING,
@@ -28,11 +26,13 @@ from engine.physics.state import (
 )
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
     Four = tuple[float, float, float, float]
     Five = tuple[float, float, float, float, float]
+    Ten = tuple[float, float, float, float, float, float, float, float, float, float]
 
 ERROR = 1e-5
 """Error of one step, in parts of the normal speed."""
@@ -51,7 +51,7 @@ NOSE_X, NOSE_T, BED_X, BED_Y, FX, FT, TX, TY, WORK, PUSH = range(10)
 so far, the nose's work and its push p. The frame is X along the nose, Y into it."""
 
 
-@kernel_with_arrays
+@kernel
 def mathavan(
     ball: Floats,
     where: tuple[float, float],
@@ -70,10 +70,9 @@ def mathavan(
     spin_z = radius * ball[WZ]
     before = along**2 + into**2 + 0.4 * (spin_x**2 + spin_y**2 + spin_z**2)
     place = (rise, level, friction, ball[SLIDING], DEAD * into)
-    y = np.zeros(10)
-    y[NOSE_X], y[NOSE_T] = along + spin_y * rise - spin_z * level, spin_x - into * rise
-    y[BED_X], y[BED_Y] = along - spin_y, into + spin_x
-    _follow(y, place, into, restitution)
+    nose_x, nose_t = along + spin_y * rise - spin_z * level, spin_x - into * rise
+    y = (nose_x, nose_t, along - spin_y, into + spin_x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    y = _follow(y, place, into, restitution)
     along += y[FX] + y[TX]
     into += y[TY] - rise * y[FT] - level * y[PUSH]
     spin_x += 2.5 * (y[FT] + y[TY])
@@ -88,16 +87,15 @@ def mathavan(
     ball[WZ] = part * spin_z / radius
 
 
-@kernel_with_arrays
-def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
-    """Run compression and restitution; `speed` is the ball's into the nose."""
-    trial = np.empty(10)
+@kernel
+def _follow(y: Ten, place: Five, speed: float, restitution: float) -> Ten:
+    """Return the state after compression and restitution; `speed` is the ball's into the nose."""
     part, goal, returning = 0.3, 0.0, 0.0
     for _ in range(STEPS):
         first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
         # a step is a part of the slips' remaining life, so that it shrinks as they do
         life = min(speed, _life(y, first, place))
-        error = _attempt(y, first, place, part * life, trial)
+        trial, error = _attempt(y, first, place, part * life)
         allowed = min(ERROR * speed, 0.02 * _least(y, place[P_DEAD]))
         ease = min(2.0, 0.8 * sqrt(sqrt(allowed / max(error, 1e-300))))
         if error > allowed:
@@ -105,19 +103,18 @@ def _follow(y: Floats, place: Five, speed: float, restitution: float) -> None:
             continue
         over = _left(trial, place, goal, returning) <= 0.0
         if over:
-            _arrive(y, first, place, part * life, trial, goal, speed, returning)
-        for k in range(10):
-            y[k] = trial[k]
-        _still(y, place)
+            trial = _arrive(y, first, place, part * life, trial, goal, speed, returning)
+        y = _still(trial, place)
         if over:
             if returning > 0.0 or restitution == 0.0:
-                return
+                return y
             returning, goal = 1.0, (1.0 - restitution * restitution) * y[WORK]
         part = min(1.0, part * ease)
+    return y
 
 
 @kernel
-def _least(y: Floats, dead: float) -> float:
+def _least(y: Ten, dead: float) -> float:
     """Return the lesser of the slips that have not died."""
     nose = y[NOSE_X] ** 2 + y[NOSE_T] ** 2
     bed = y[BED_X] ** 2 + y[BED_Y] ** 2
@@ -127,35 +124,35 @@ def _least(y: Floats, dead: float) -> float:
 
 
 @kernel
-def _into(y: Floats, place: Five) -> float:
+def _into(y: Ten, place: Five) -> float:
     """Return the speed into the nose, which both upward slips tell."""
     return (y[BED_Y] - y[NOSE_T]) / (1.0 + place[P_RISE])
 
 
 @kernel
-def _left(y: Floats, place: Five, goal: float, returning: float) -> float:
+def _left(y: Ten, place: Five, goal: float, returning: float) -> float:
     """Return what is left of the phase: speed into the nose, or work to give back."""
     return y[WORK] - goal if returning > 0.0 else _into(y, place)
 
 
 @kernel
 def _arrive(
-    y: Floats,
+    y: Ten,
     first: Four,
     place: Five,
     h: float,
-    trial: Floats,
+    trial: Ten,
     goal: float,
     speed: float,
     returning: float,
-) -> None:
-    """Fill `trial` with the state in which the phase ends, within a step h: Newton's method."""
+) -> Ten:
+    """Return the state in which the phase ends, within a step h to `trial`: Newton's method."""
     low, high = 0.0, h
     scale = speed * speed if returning > 0.0 else speed
     for _ in range(50):
         left = _left(trial, place, goal, returning)
         if abs(left) <= 1e-10 * scale:
-            return
+            break
         if left > 0.0:
             low = h
         else:
@@ -166,7 +163,8 @@ def _arrive(
         h -= left / slope if slope != 0.0 else 0.0
         if not low < h < high:
             h = 0.5 * (low + high)
-        _attempt(y, first, place, h, trial)
+        trial, _ = _attempt(y, first, place, h)
+    return trial
 
 
 @kernel
@@ -183,8 +181,8 @@ def _drift(f: Four, place: Five) -> Four:
 
 
 @kernel
-def _attempt(y: Floats, first: Four, place: Five, h: float, trial: Floats) -> float:
-    """Fill `trial` with the state after the impulse h; return an estimate of its error.
+def _attempt(y: Ten, first: Four, place: Five, h: float) -> tuple[Ten, float]:
+    """Return the state after the impulse h and an estimate of its error.
 
     Merson's method of order four: five stages, of which `first` is the friction in the first.
     """
@@ -209,23 +207,30 @@ def _attempt(y: Floats, first: Four, place: Five, h: float, trial: Floats) -> fl
     last = _friction(b0, b1, b2, b3, place)
     c0, c1, c2, c3 = _drift(last, place)
     g = h / 6.0
-    trial[NOSE_X] = sx + g * (a0 + 4.0 * d0 + c0)
-    trial[NOSE_T] = st + g * (a1 + 4.0 * d1 + c1)
-    trial[BED_X] = ux + g * (a2 + 4.0 * d2 + c2)
-    trial[BED_Y] = uy + g * (a3 + 4.0 * d3 + c3)
-    for k in range(4):
-        trial[FX + k] = y[FX + k] + g * (first[k] + 4.0 * third[k] + last[k])
+    nx = sx + g * (a0 + 4.0 * d0 + c0)
+    nt = st + g * (a1 + 4.0 * d1 + c1)
+    bx = ux + g * (a2 + 4.0 * d2 + c2)
+    by = uy + g * (a3 + 4.0 * d3 + c3)
     # Simpson's rule, with Hermite's middle
-    ends = uy - st + trial[BED_Y] - trial[NOSE_T]
+    ends = uy - st + by - nt
     middle = 0.5 * ends + h / 8.0 * ((a3 - a1) - (c3 - c1))
-    trial[WORK] = y[WORK] + g * (ends + 4.0 * middle) / (1.0 + place[P_RISE])
-    trial[PUSH] = y[PUSH] + h
-    nose = abs(trial[NOSE_X] - b0) + abs(trial[NOSE_T] - b1)
-    return 0.2 * (nose + abs(trial[BED_X] - b2) + abs(trial[BED_Y] - b3))
+    trial = (
+        nx,
+        nt,
+        bx,
+        by,
+        y[FX] + g * (first[0] + 4.0 * third[0] + last[0]),
+        y[FT] + g * (first[1] + 4.0 * third[1] + last[1]),
+        y[TX] + g * (first[2] + 4.0 * third[2] + last[2]),
+        y[TY] + g * (first[3] + 4.0 * third[3] + last[3]),
+        y[WORK] + g * (ends + 4.0 * middle) / (1.0 + place[P_RISE]),
+        y[PUSH] + h,
+    )
+    return trial, 0.2 * (abs(nx - b0) + abs(nt - b1) + abs(bx - b2) + abs(by - b3))
 
 
 @kernel
-def _life(y: Floats, friction: Four, place: Five) -> float:
+def _life(y: Ten, friction: Four, place: Five) -> float:
     """Return the impulse after which the first of the slips that lessen would be gone."""
     dead = place[P_DEAD]
     sx, st, ux, uy = _drift(friction, place)
@@ -240,23 +245,25 @@ def _ceases(x: float, y: float, dx: float, dy: float, dead: float) -> float:
 
 
 @kernel
-def _still(y: Floats, place: Five) -> None:
-    """Make a slip that has died exactly zero, as its friction would have within no time."""
+def _still(y: Ten, place: Five) -> Ten:
+    """Return the state with a slip that has died made exactly zero, as friction would at once."""
     rise, dead = place[P_RISE], place[P_DEAD]
-    if y[BED_X] ** 2 + y[BED_Y] ** 2 <= dead * dead:
-        tx, ty = -y[BED_X] / 3.5, -y[BED_Y] / 3.5
-        y[TX] += tx
-        y[TY] += ty
-        y[NOSE_X] += (1.0 - 2.5 * rise) * tx
-        y[NOSE_T] += (2.5 - rise) * ty
-        y[BED_X] = y[BED_Y] = 0.0
-    if y[NOSE_X] ** 2 + y[NOSE_T] ** 2 <= dead * dead:
-        fx, ft = -y[NOSE_X] / 3.5, -y[NOSE_T] / (2.5 + rise * rise)
-        y[FX] += fx
-        y[FT] += ft
-        y[BED_X] += (1.0 - 2.5 * rise) * fx
-        y[BED_Y] += (2.5 - rise) * ft
-        y[NOSE_X] = y[NOSE_T] = 0.0
+    nx, nt, bx, by, fx, ft, tx, ty, work, push = y
+    if bx**2 + by**2 <= dead * dead:
+        px, py = -bx / 3.5, -by / 3.5
+        tx += px
+        ty += py
+        nx += (1.0 - 2.5 * rise) * px
+        nt += (2.5 - rise) * py
+        bx = by = 0.0
+    if nx**2 + nt**2 <= dead * dead:
+        px, pt = -nx / 3.5, -nt / (2.5 + rise * rise)
+        fx += px
+        ft += pt
+        bx += (1.0 - 2.5 * rise) * px
+        by += (2.5 - rise) * pt
+        nx = nt = 0.0
+    return nx, nt, bx, by, fx, ft, tx, ty, work, push
 
 
 @kernel
