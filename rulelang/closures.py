@@ -119,9 +119,10 @@ def opponent(watch: Watch, player: int) -> int:
 
 
 def leader(watch: Watch) -> int:
-    """Return the player with the highest score, 0 where it is shared."""
+    """Return the player, or the first of the side, with the highest score; 0 where it is shared."""
     best = max(watch.scores)
-    return watch.scores.index(best) + 1 if watch.scores.count(best) == 1 else 0
+    mates = watch.mates if watch.mates > 1 else 1
+    return watch.scores.index(best) + 1 if watch.scores.count(best) == mates else 0
 
 
 def common_kind(values: list[Code]) -> str | None:

@@ -26,6 +26,7 @@ def look(program: Program, situation: Situation) -> Watch:
     """Return a watch on a situation, with nothing remembered yet."""
     c = Watch(program.bits, program.names, program.ball_mask, situation)
     c.values = program.values
+    c.mates = program.mates
     c.memo = fresh(program.memo_size)
     return c
 

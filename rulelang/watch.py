@@ -45,7 +45,7 @@ class Watch:
 
     __slots__ = (
         "actions", "all_events", "balls", "bits", "call", "chooser", "chosen", "continues", "cue",
-        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "memo", "names",
+        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "mates", "memo", "names",
         "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
         "players", "scores", "seen", "shooter", "shot", "situation", "stage",
         "state", "stroke", "up_after", "up_before", "values", "winner",
@@ -77,6 +77,7 @@ class Watch:
         self.it = 0
         self.player = situation.shooter
         self.winner = situation.winner
+        self.mates = 0
         self.memo: list[Any] = []
         self.shot: Shot | None = None
         self.call: Call | None = None
