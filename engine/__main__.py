@@ -18,6 +18,7 @@ from engine.authoring.commands import format_, new, schema
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from engine.records.run import Outcome
     from engine.variant.variant import Value, Variant
     from rulelang.diagnostics import Diagnostic
 
@@ -140,6 +141,7 @@ def _tell(diagnostics: Sequence[Diagnostic], *, as_json: bool) -> None:
 @click.argument("paths", nargs=-1, type=FILE)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON list, an object a record.")
 @click.option("--update", is_flag=True, help="Rewrite expectations to what the referee says.")
+@click.option("--pictures", type=FILE, metavar="FOLDER", help="Draw what differs there.")
 @click.option("--coverage", is_flag=True, help="Say which rules and sections the records prove.")
 @click.option("--mutate", is_flag=True, help="Make the rules wrong and see if a record notices.")
 @click.option("--jobs", type=click.IntRange(0), default=0, help="Processes for --mutate.")
@@ -165,7 +167,11 @@ def golden(paths: Sequence[Path], *, as_json: bool, update: bool, **options: obj
         results.append(result)
         if not as_json:
             show_result(result)
-        if update and result.outcome is not None and not result.outcome.passed:
+        if result.outcome is None or result.outcome.passed:
+            continue
+        if options["pictures"]:
+            _draw(result.path, result.outcome, options["pictures"])  # type: ignore[arg-type]
+        if update:
             _update(result.path, result.outcome)
     if as_json:
         click.echo(json.dumps([result.as_json() for result in results], indent=2))
@@ -182,6 +188,16 @@ def _prove(paths: Sequence[Path], *, as_json: bool, **options: object) -> int:
     if options["coverage"]:
         return coverage(paths, folder, _grammar_folder(), as_json=as_json)
     return mutation(paths, folder, _grammar_folder(), jobs, as_json=as_json)
+
+
+def _draw(path: Path, outcome: Outcome, folder: Path) -> None:
+    from engine.proving.pictures import draw_outcome  # noqa: PLC0415
+
+    picture = folder / f"{path.parent.name}-{path.stem}.png"
+    if draw_outcome(outcome, picture):
+        click.echo(f"{picture}: drawn", err=True)
+    else:
+        click.echo(f"{path}: no picture, where the balls lay is not known", err=True)
 
 
 def _update(path: Path, outcome: object) -> None:
