@@ -328,7 +328,8 @@ def _sunk(
     over = np.maximum(z[point] - np.maximum(rows[:, state.N_UPRIGHT], radius), 0.0)
     beside = np.sqrt(np.maximum(radius**2 - over**2, 0.0))
     reach = np.where(rows[:, state.N_PIN] >= 0.0, np.where(over < radius, beside, -inf), reach)
-    depth = _depths(rows, x[point], y[point], reach)
+    edge = (z[point] > height) & (rows[:, state.N_PIN] < 0.0)
+    depth = _depths(rows, x[point], y[point], reach, edge)
     depth[(depth > far) | ~_stands(reading, rows[:, state.N_PIN], times[moment[point]])] = 0.0
     return float(depth.max(initial=0.0))
 
@@ -344,19 +345,19 @@ def _stands(reading: Reading, pins: Floats, times: Floats) -> Bools:
     return stands
 
 
-def _depths(noses: Floats, x: Floats, y: Floats, reaches: Floats) -> Floats:
-    """Return how deep points (m,) lie in noses (m, N_*), m; at most zero where they do not."""
+def _depths(noses: Floats, x: Floats, y: Floats, reaches: Floats, edge: Bools) -> Floats:
+    """Return how deep points (m,) lie in noses (m, N_*), m; at most zero where they do not.
+
+    Above a nose there is but its `edge`; below it lies whatever is behind.
+    """
     x, y = x - noses[:, state.N_X], y - noses[:, state.N_Y]
     dx, dy, size = noses[:, state.N_DX], noses[:, state.N_DY], noses[:, state.N_SIZE]
-    along = x * dx + y * dy
-    beside = (along >= 0.0) & (along <= size)
-    straight = np.where(beside, reaches - (y * dx - x * dy), 0.0)
-    away = np.hypot(x, y)
-    facing = along >= away * noses[:, state.N_SPAN]
-    round_ = np.where(size < 0.0, away + size + reaches, size + reaches - away)
-    depth: Floats = np.where(
-        noses[:, state.N_CURVED] == 0.0, straight, np.where(facing, round_, 0.0)
-    )
+    along, away = x * dx + y * dy, np.hypot(x, y)
+    round_ = noses[:, state.N_CURVED] != 0.0
+    straight = (along >= 0.0) & (along <= size)
+    facing = np.where(round_, along >= away * noses[:, state.N_SPAN], straight)
+    off = np.where(round_, np.where(size < 0.0, -size - away, away - size), y * dx - x * dy)
+    depth: Floats = np.where(facing, reaches - np.where(edge, np.abs(off), off), 0.0)
     return depth
 
 
