@@ -12,14 +12,15 @@ SOURCES = sorted(
     [*ROOT.glob("engine/**/*.py"), *ROOT.glob("rulelang/**/*.py"), *ROOT.glob("rulelang/*.lark")]
 )
 # Games that ship, and games that people know: none of them may be special. What is a phrase of the
-# sport as well ("one cushion") cannot be told apart and is left out.
+# sport as well (`PHRASES`) cannot be told apart and is left out.
+PHRASES = {"one cushion", "rotation"}
 KNOWN = """
 snooker, eight ball, nine ball, ten ball, straight pool, blackball, three cushion, straight rail,
 balkline, five pins, pyramid, keglebillard, bar billiards, english billiards, kitchen, baulk,
 rotation pool, cribbage, bank pool, heyball, killer pool
 """
 SHIPPED = {path.stem.replace("_", " ") for path in ROOT.glob("variants/*.toml")}
-GAMES = sorted((SHIPPED - {"one cushion"}) | {name.strip() for name in KNOWN.split(",")})
+GAMES = sorted((SHIPPED - PHRASES) | {name.strip() for name in KNOWN.split(",")})
 GAME = re.compile(
     rf"\b(?:{'|'.join(re.escape(name).replace(chr(92) + ' ', '[ _-]?') for name in GAMES)})\b",
     re.IGNORECASE,
