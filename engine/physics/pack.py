@@ -293,18 +293,23 @@ def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArra
     Raises ValueError for a layout that cannot be.
     """
     index, known = world.index, world.world.balls
-    unknown = layout.keys() - index.keys()
-    if unknown:
-        message = f"the layout names balls that the world has not: {sorted(unknown)}"
-        raise ValueError(message)
-    chosen = sorted([index[ball] for ball in layout])
+    try:
+        chosen = sorted([index[ball] for ball in layout])
+    except KeyError:
+        message = (
+            f"the layout names balls that the world has not: {sorted(set(layout) - set(index))}"
+        )
+        raise ValueError(message) from None
     balls = tuple([known[i] for i in chosen])
     rows = world.rows.take(chosen, axis=0)
-    rows[:, state.X : state.Y + 1] = [layout[ball.id] for ball in balls]
     if len(balls) > FEW:
+        rows[:, state.X : state.Y + 1] = [layout[ball.id] for ball in balls]
         _check_places(balls, rows)
     else:
-        _check_few(balls, rows)
+        places = [layout[ball.id] for ball in balls]
+        for row, (x, y) in zip(rows, places, strict=True):
+            row[state.X], row[state.Y] = x, y
+        _check_few(balls, places)
     return balls, rows
 
 
@@ -312,8 +317,7 @@ FEW = 4
 """So few balls are looked through one by one."""
 
 
-def _check_few(balls: tuple[Ball, ...], rows: NDArray[np.float64]) -> None:
-    places = rows[:, state.X : state.Y + 1].tolist()
+def _check_few(balls: tuple[Ball, ...], places: list[Point]) -> None:
     for i, ((x, y), ball) in enumerate(zip(places, balls, strict=True)):
         if not isfinite(x + y):
             raise ValueError("a ball's place must be two finite numbers")
