@@ -59,7 +59,7 @@ def codes() -> str:
 
 def events() -> str:
     """Return the events of shot records, each with its phrase."""
-    from rulelang.phrases import EVENT_PHRASES  # noqa: PLC0415
+    from tools.phrases import EVENT_PHRASES  # noqa: PLC0415
 
     rows = "\n".join(f"| `{event}` | `{phrase}` |" for event, phrase in EVENT_PHRASES)
     return f"| event | phrase |\n|---|---|\n{rows}\n"
@@ -67,7 +67,7 @@ def events() -> str:
 
 def phrases() -> str:
     """Return every phrase of the language by groups."""
-    from rulelang.phrases import PHRASES  # noqa: PLC0415
+    from tools.phrases import PHRASES  # noqa: PLC0415
 
     text = ""
     for group in dict.fromkeys(one.group for one in PHRASES):

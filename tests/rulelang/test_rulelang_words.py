@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 import tomllib
 from dataclasses import replace
 from importlib import import_module
@@ -11,10 +12,12 @@ from importlib import import_module
 import pytest
 from rule_cases import POOL, ROOT
 
+sys.path.insert(0, str(ROOT))
+
 from rulelang import highlight, words
 from rulelang.compile import check_script
 from rulelang.parse import grammar
-from rulelang.phrases import EVENT_PHRASES, PHRASES, Phrase
+from tools.phrases import EVENT_PHRASES, PHRASES, Phrase
 
 SCRIPTS = sorted((ROOT / "variants").rglob("*.rules"))
 TABLE = replace(
