@@ -20,6 +20,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from engine.records.read import read_record
@@ -262,13 +263,31 @@ def _slow(reader: Reader, data: bytes) -> str:
     return f"slow: {spent:.1f} s for {len(data)} bytes" if spent > SLOW else ""
 
 
-def with_atheris(reader: Reader, minutes: float) -> None:
+def _functions() -> Iterator[Any]:
+    """Give every function and method of the packages that are watched."""
+    for name, module in list(sys.modules.items()):
+        if not (getattr(module, "__file__", None) or "").startswith(OURS):
+            continue
+        for thing in vars(module).values():
+            inside = vars(thing).values() if isinstance(thing, type) else (thing,)
+            for one in inside:
+                if isinstance(one, FunctionType) and one.__module__ == name:
+                    yield one
+
+
+def with_atheris(reader: Reader, minutes: float, keep: Path) -> None:
     """Let libFuzzer guide; it ends the process by itself."""
     import atheris  # type: ignore[import-not-found,unused-ignore]  # noqa: PLC0415
 
-    atheris.instrument_all()
-    limits = [f"-max_total_time={int(minutes * 60)}", "-timeout=2", "-rss_limit_mb=1500"]
-    atheris.Setup([sys.argv[0], *limits], reader.read)
+    for function in _functions():
+        atheris.instrument_func(function)
+    corpus = keep / f"corpus-{reader.name}"
+    corpus.mkdir(parents=True, exist_ok=True)
+    for number, seed in enumerate(reader.seeds):
+        (corpus / f"seed-{number}").write_bytes(seed)
+    limits = [f"-max_total_time={int(minutes * 60)}", "-timeout=5", "-rss_limit_mb=1500"]
+    limits += [f"-artifact_prefix={keep}/{reader.name}-", "-max_len=4000"]
+    atheris.Setup([sys.argv[0], *limits, str(corpus)], reader.read)
     atheris.Fuzz()
 
 
@@ -293,7 +312,7 @@ def main() -> int:
             if chosen.what not in (None, reader.name):
                 continue
             if chosen.atheris:
-                with_atheris(reader, chosen.minutes)
+                with_atheris(reader, chosen.minutes, chosen.keep)
             for sentence in fuzz(reader, chosen.minutes, chosen.seed, chosen.keep):
                 found += 1
                 print(sentence, flush=True)

@@ -40,7 +40,7 @@ def run(folder: Path, command: str) -> str:
 
 
 def write(folder: Path, target: str, text: str) -> None:
-    """Do what a step says: write a file, add to it (`+`), or change a line of it (`= old -> new`)."""
+    """Write a file, add to it (`+`), or change a line of it (`= old -> new`)."""
     name, _, how = target.partition(" ")
     path = folder / name
     path.parent.mkdir(exist_ok=True)
