@@ -126,3 +126,26 @@ def test_energy_that_comes_from_nowhere():
         pieces[own(pieces, 1)[-2], state.P_WZ] = 50.0
 
     assert spoilt(change).gain > 1e-5
+
+
+def test_above_a_nose_there_is_but_its_edge_and_behind_it_the_rail():
+    def lifted(height):
+        def change(pieces, _):
+            row = own(pieces, 2)[0]
+            pieces[row, state.P_KIND], pieces[row, state.P_Z] = state.FLY, height
+            pieces[row, state.P_X], pieces[row, state.P_Y] = 1.29, 0.0
+            pieces[row, state.P_T1] = pieces[row, state.P_T0] + 1e-3
+
+        return change
+
+    nose = WORLD.table.nose_height
+    assert spoilt(lifted(nose + R)).sunk == 0.0
+    assert spoilt(lifted(nose + 0.6 * R)).sunk > 1e-4
+    assert spoilt(lifted(nose - 1e-3)).sunk > 0.02
+
+
+def test_a_way_that_is_torn_is_told():
+    def change(pieces, _):
+        pieces[own(pieces, 1)[-1], state.P_X] += 1e-6
+
+    assert spoilt(change).torn == pytest.approx(1e-6, rel=1e-6)
