@@ -70,7 +70,7 @@ def fall_time(z: float, vz: float, gravity: float, height: float) -> float:
 
 @kernel
 def flight_end(ball: Floats, world: Floats, noses: Floats, pockets: Floats) -> float:
-    """Return the absolute time of landing on the bed, or on the rail behind the noses."""
+    """Return the absolute time of landing on the bed or the rail, or of meeting a pocket's back."""
     gravity, top = world[G_GRAVITY], world[G_NOSE] + ball[RADIUS]
     t = fall_time(ball[Z], ball[VZ], gravity, top)
     high = ball[Z] > top or ball[VZ] * ball[VZ] > 2.0 * gravity * (top - ball[Z])
@@ -78,7 +78,26 @@ def flight_end(ball: Floats, world: Floats, noses: Floats, pockets: Floats) -> f
         x, y = ball[X] + t * ball[VX], ball[Y] + t * ball[VY]
         if over_pocket(pockets, x, y, 1.0) < 0 and not inside(noses, x, y):
             return ball[T0] + t
-    return ball[T0] + fall_time(ball[Z], ball[VZ], gravity, ball[RADIUS])
+    t = fall_time(ball[Z], ball[VZ], gravity, ball[RADIUS])
+    if inside(noses, ball[X] + t * ball[VX], ball[Y] + t * ball[VY]):
+        return ball[T0] + t
+    for k in range(pockets.shape[0]):  # so low behind the noses it has come through a pocket
+        out = _leaves_circle(ball, pockets[k])
+        if 0.0 < out < t and ball[Z] + out * (ball[VZ] - 0.5 * gravity * out) < top:
+            t = out
+    return ball[T0] + t
+
+
+@kernel
+def _leaves_circle(ball: Floats, pocket: Floats) -> float:
+    """Return when (s) a straight way leaves a drop circle, at most zero where it does not."""
+    x, y = ball[X] - pocket[0], ball[Y] - pocket[1]
+    square = ball[VX] * ball[VX] + ball[VY] * ball[VY]
+    along = x * ball[VX] + y * ball[VY]
+    under = along * along - square * (x * x + y * y - pocket[2] * pocket[2])
+    if square == 0.0 or under <= 0.0:
+        return 0.0
+    return (sqrt(under) - along) / square
 
 
 @kernel

@@ -85,6 +85,9 @@ if TYPE_CHECKING:
     Ints = NDArray[np.int64]
 
 IN_PAIR, IN_NOSE, IN_FALL = range(3)
+LEVEL = 1e-9
+"""A ball so near (m) to the height at which it lies on the rail is there."""
+
 BACK = 2.0
 """A ball that falls behind a mouth, within so many drop radii, is in that pocket."""
 
@@ -270,9 +273,9 @@ def _come_down(
     now: float,
 ) -> int:
     """Let a fall end: in a pocket, off the table, or on bed or rail, off which it may bounce."""
-    pocket = over_pocket(pockets, ball[X], ball[Y], 1.0)
+    pocket = over_pocket(pockets, ball[X], ball[Y], 1.0 + 1e-9)
     off = not inside(noses, ball[X], ball[Y])
-    high = ball[Z] > ball[RADIUS] + 0.5 * world[G_NOSE]
+    high = abs(ball[Z] - ball[RADIUS] - world[G_NOSE]) < LEVEL
     if pocket < 0 and off and not high:
         pocket = over_pocket(pockets, ball[X], ball[Y], BACK)
     if pocket >= 0 and not high:

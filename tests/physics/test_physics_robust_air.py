@@ -404,3 +404,36 @@ def test_a_ball_that_has_rolled_away_is_not_jumped_over_where_it_was():
     start["b1"] = REST
     trace = throw_balls(world, {"b0": (-0.1, 0.0), "b1": (0.0, 0.0)}, start)
     assert len(told(trace, BallJumpedOver)) == 1
+
+
+# pockets from the air
+
+
+@pytest.mark.parametrize("aside", [-0.01, 0.0, 0.01])
+@pytest.mark.parametrize("speed", [1.0, 2.0, 3.5])
+def test_a_ball_that_flies_in_below_the_rail_ends_at_the_back_of_the_pocket(aside, speed):
+    world = make_world(1, pockets=True)
+    pocket = world.table.pockets[0]
+    x, y = pocket.centre
+    way = pi / 4.0  # of the corner
+    place = x - 0.25 * cos(way) - aside * sin(way), y - 0.25 * sin(way) + aside * cos(way)
+    rise = 0.25 / speed * G / 2.0 - 0.02 * speed / 0.25 + 0.05
+    velocity = speed * cos(way), speed * sin(way)
+    start = Motion(velocity, (0.0, 0.0, 0.0), max(rise, 0.0), 0.02)
+    trace = throw_balls(world, {"b0": place}, {"b0": start})
+    assert list(trace.pocketed) == ["b0"]
+    (drop,) = [row for row in trace.log if row[state.E_KIND] == state.DROPPED]
+    at = trace.positions([drop[state.E_TIME]])[0, 0]
+    assert hypot(at[0] - x, at[1] - y) <= pocket.radius + 1e-9
+    sound(trace, world.table)
+
+
+def test_a_ball_that_flies_over_the_back_of_a_pocket_is_off():
+    world = make_world(1, pockets=True)
+    x, y = world.table.pockets[0].centre
+    way = pi / 4.0  # of the corner
+    start = Motion((3.0 * cos(way), 3.0 * sin(way)), (0.0, 0.0, 0.0), 1.5, 0.05)
+    place = x - 0.3 * cos(way), y - 0.3 * sin(way)
+    trace = throw_balls(world, {"b0": place}, {"b0": start})
+    assert told(trace, BallLeftTable)
+    assert not trace.pocketed
