@@ -277,7 +277,7 @@ def _functions() -> Iterator[Any]:
 
 def with_atheris(reader: Reader, minutes: float, keep: Path) -> None:
     """Let libFuzzer guide; it ends the process by itself."""
-    import atheris  # type: ignore[import-not-found,unused-ignore]  # noqa: PLC0415
+    import atheris  # noqa: PLC0415
 
     for function in _functions():
         atheris.instrument_func(function)
