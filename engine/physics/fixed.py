@@ -16,7 +16,7 @@ import numpy as np
 
 from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.collide import closing_speed, strike_apart
-from engine.physics.motion import begin
+from engine.physics.motion import begin, place_at
 from engine.physics.predict import NEVER, closes, nose_time
 from engine.physics.rebound import bounce
 from engine.physics.record import (
@@ -26,6 +26,7 @@ from engine.physics.record import (
     into,
     move,
     note,
+    restart,
 )
 from engine.physics.state import (
     AX,
@@ -55,7 +56,6 @@ from engine.physics.state import (
     ROLL,
     SLIDE,
     STARTED,
-    STOPPED,
     STORM,
     T0,
     TOUCHING,
@@ -138,23 +138,6 @@ def _age(
 
 
 @kernel
-def _restart(
-    balls: Floats, kinds: Ints, world: Floats, events: Floats, counts: Ints, i: int, now: float
-) -> None:
-    before = kinds[i]
-    kinds[i] = begin(balls[i], world)
-    if kinds[i] == REST and before != REST:
-        note(events, counts, STOPPED, now, i, -1.0, 0.0)
-
-
-@kernel
-def _at(ball: Floats, now: float) -> tuple[float, float]:
-    s = now - ball[T0]
-    x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
-    return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
-
-
-@kernel
 def _correct(
     balls: Floats,
     kinds: Ints,
@@ -191,8 +174,8 @@ def _part(
     j: int,
     now: float,
 ) -> None:
-    x, y = _at(balls[i], now)
-    u, v = _at(balls[j], now)
+    x, y = place_at(balls[i], now)
+    u, v = place_at(balls[j], now)
     dx, dy = u - x, v - y
     apart = sqrt(dx * dx + dy * dy)
     need = 2.0 * sqrt(balls[i, RADIUS] * balls[j, RADIUS])
@@ -210,8 +193,8 @@ def _part(
         first, second = faster_first(balls, i, j)
         strike_apart(balls[i], balls[j], world)
         note(events, counts, TOUCHING, now, first, float(second), speed)
-    _restart(balls, kinds, world, events, counts, i, now)
-    _restart(balls, kinds, world, events, counts, j, now)
+    restart(balls, kinds, world, events, counts, i, now)
+    restart(balls, kinds, world, events, counts, j, now)
 
 
 @kernel
@@ -244,7 +227,7 @@ def _push_out(
     k: int,
     now: float,
 ) -> None:
-    x, y = _at(balls[i], now)
+    x, y = place_at(balls[i], now)
     depth = _depth(balls[i], noses[k], x, y)
     if depth <= 0.0:
         return
@@ -255,7 +238,7 @@ def _push_out(
     if balls[i, VX] * ix + balls[i, VY] * iy > 0.0:
         speed = bounce(balls[i], world, noses[k], ix, iy)
         note(events, counts, NOSE, now, i, float(k), speed)
-    _restart(balls, kinds, world, events, counts, i, now)
+    restart(balls, kinds, world, events, counts, i, now)
 
 
 @kernel_with_arrays
@@ -295,7 +278,7 @@ def _first_hit(
     """Return when ball `i` first meets a ball that stands as it is, or a nose, and which."""
     ball = balls[i].copy()
     s = at[i] - ball[T0]
-    ball[X], ball[Y] = _at(balls[i], at[i])
+    ball[X], ball[Y] = place_at(balls[i], at[i])
     ball[VX] += s * ball[AX]
     ball[VY] += s * ball[AY]
     ball[T0], ball[END] = at[i], last
@@ -303,7 +286,7 @@ def _first_hit(
     for j in range(balls.shape[0]):
         if j == i or kinds[j] == GONE:
             continue
-        x, y = _at(balls[j], at[j])
+        x, y = place_at(balls[j], at[j])
         need = 2.0 * sqrt(ball[RADIUS] * balls[j, RADIUS])
         ax, ay = -0.5 * ball[AX], -0.5 * ball[AY]
         t = at[i] + closes(
@@ -345,8 +328,8 @@ def _hit(
             first, second = faster_first(balls, i, other)
             strike_apart(balls[i], balls[other], world)
             note(events, counts, TOUCHING, t, first, float(second), speed)
-        _restart(balls, kinds, world, events, counts, other, at[other])
-    _restart(balls, kinds, world, events, counts, i, t)
+        restart(balls, kinds, world, events, counts, other, at[other])
+    restart(balls, kinds, world, events, counts, i, t)
 
 
 @kernel
@@ -363,7 +346,7 @@ def _catch(
     for i in range(balls.shape[0]):
         if kinds[i] == GONE:
             continue
-        x, y = _at(balls[i], now)
+        x, y = place_at(balls[i], now)
         for k in range(pockets.shape[0]):
             dx, dy, size = x - pockets[k, 0], y - pockets[k, 1], pockets[k, 2]
             if kinds[i] != GONE and dx * dx + dy * dy <= size * size:

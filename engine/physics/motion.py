@@ -61,6 +61,14 @@ def side_spin(ball: Floats, t: float) -> float:
 
 
 @kernel
+def place_at(ball: Floats, t: float) -> tuple[float, float]:
+    """Return where the ball is at absolute time `t`, by its own formula."""
+    s = t - ball[T0]
+    x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
+    return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
+
+
+@kernel
 def carry(ball: Floats, t: float) -> None:
     """Move the row's origin to absolute time `t`, by its own formula; the kind stays."""
     s = t - ball[T0]
@@ -152,4 +160,4 @@ def finish(ball: Floats, world: Floats, kind: int) -> int:
     return begin(ball, world)
 
 
-__all__ = ["begin", "carry", "finish", "side_spin"]
+__all__ = ["begin", "carry", "finish", "place_at", "side_spin"]

@@ -10,7 +10,7 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 from engine.geometry.kernel import kernel
-from engine.physics.motion import carry, finish
+from engine.physics.motion import begin, carry, finish
 from engine.physics.state import (
     AX,
     AY,
@@ -138,6 +138,17 @@ def drop(
 
 
 @kernel
+def restart(
+    balls: Floats, kinds: Ints, world: Floats, events: Floats, counts: Ints, i: int, now: float
+) -> None:
+    """Begin the piece that follows an event, and note where the ball has stopped by it."""
+    before = kinds[i]
+    kinds[i] = begin(balls[i], world)
+    if kinds[i] == REST and before != REST:
+        note(events, counts, STOPPED, now, i, -1.0, 0.0)
+
+
+@kernel
 def faster_first(balls: Floats, one: int, two: int) -> tuple[int, int]:
     """Return the two with the faster along the line of centres first."""
     nx, ny = balls[two, X] - balls[one, X], balls[two, Y] - balls[one, Y]
@@ -215,5 +226,6 @@ __all__ = [
     "into",
     "move",
     "note",
+    "restart",
     "write",
 ]

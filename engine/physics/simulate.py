@@ -31,7 +31,9 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-EVENT_CAP = 100_000
+EVENT_CAP = 400_000
+"""More than a row of balls comes to that is pressed together as long as a spin can last."""
+
 STEP = 1.0 / 60.0
 """Time step (s) of the solvers that have one."""
 

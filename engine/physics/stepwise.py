@@ -16,7 +16,7 @@ import numpy as np
 from engine.geometry.kernel import kernel, kernel_with_arrays
 from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.foresee import foresee, next_event
-from engine.physics.motion import begin
+from engine.physics.motion import begin, place_at
 from engine.physics.predict import NEVER
 from engine.physics.rebound import meet_nose
 from engine.physics.record import (
@@ -26,6 +26,7 @@ from engine.physics.record import (
     into,
     move,
     note,
+    restart,
 )
 from engine.physics.shock import C_A, C_B, C_ORDER, C_SPEED, CONTACT_WIDTH, gather, spread
 from engine.physics.state import (
@@ -38,8 +39,6 @@ from engine.physics.state import (
     ASK_PAIR,
     ASK_WHAT,
     ASK_WHO,
-    AX,
-    AY,
     C_ALARM,
     CAP,
     D_MODEL,
@@ -69,9 +68,7 @@ from engine.physics.state import (
     REST,
     SOFT,
     STARTED,
-    STOPPED,
     STORM,
-    T0,
     TOUCHING,
     VX,
     VY,
@@ -159,9 +156,7 @@ def run(
                 return ask(counts, clock, ASK_NOSE, who, nose, now)
             speed = meet_nose(balls[who], world, noses[nose], ix, iy)
             note(events, counts, NOSE, now, who, float(nose), speed)
-            kinds[who] = begin(balls[who], world)
-            if kinds[who] == REST:
-                note(events, counts, STOPPED, now, who, -1.0, 0.0)
+            restart(balls, kinds, world, events, counts, who, now)
             foresee(balls, kinds, noses, pockets, pairs, foreseen, who, now, box)
         else:
             change(balls, kinds, world, pieces, events, counts, who)
@@ -208,11 +203,7 @@ def meet_balls(
         total = spread(balls, members, count, world, contacts)
         _note_contacts(events, counts, contacts, total, one, two, now)
     for p in range(count):
-        i = members[p]
-        moved = kinds[i] != REST
-        kinds[i] = begin(balls[i], world)
-        if moved and kinds[i] == REST:
-            note(events, counts, STOPPED, now, i, -1.0, 0.0)
+        restart(balls, kinds, world, events, counts, members[p], now)
     return count
 
 
@@ -252,10 +243,7 @@ def resume(
             move(balls, kinds, pieces, counts, i, now)
             foreseen[i, K_TOUCHED] = 1.0
         if foreseen[i, K_TOUCHED] != 0.0 and kinds[i] not in (GONE, FLY):
-            moved = kinds[i] != REST
-            kinds[i] = begin(balls[i], world)
-            if moved and kinds[i] == REST:
-                note(events, counts, STOPPED, now, i, -1.0, 0.0)
+            restart(balls, kinds, world, events, counts, i, now)
         bedded[i] = GONE if kinds[i] == FLY else kinds[i]
     for i in range(n):
         if foreseen[i, K_TOUCHED] != 0.0:
@@ -264,19 +252,12 @@ def resume(
 
 
 @kernel
-def _at(ball: Floats, now: float) -> tuple[float, float]:
-    s = now - ball[T0]
-    x = ball[X] + s * (ball[VX] + 0.5 * s * ball[AX])
-    return x, ball[Y] + s * (ball[VY] + 0.5 * s * ball[AY])
-
-
-@kernel
 def _company(balls: Floats, kinds: Ints, one: int, two: int, now: float, gap: float) -> bool:
     """Say whether a third ball touches one of the two."""
     for k in range(balls.shape[0]):
         if k in (one, two) or kinds[k] == GONE:
             continue
-        x, y = _at(balls[k], now)
+        x, y = place_at(balls[k], now)
         for i in (one, two):
             dx, dy = x - balls[i, X], y - balls[i, Y]
             touch = 2.0 * sqrt(balls[i, RADIUS] * balls[k, RADIUS]) + gap
@@ -302,7 +283,7 @@ def _gather_now(
     here = np.empty(balls.shape)
     for i in range(balls.shape[0]):
         here[i, RADIUS] = balls[i, RADIUS]
-        here[i, X], here[i, Y] = _at(balls[i], now)
+        here[i, X], here[i, Y] = place_at(balls[i], now)
     count = gather(here, present, one, two, members, world[G_TOUCH])
     for p in range(count):
         if members[p] not in (one, two):
