@@ -1,0 +1,136 @@
+"""Random matches are the same by the same seed, and find what is wrong with a game's rules."""
+
+import random
+from dataclasses import replace
+
+import pytest
+
+from engine.game.match import start_match
+from engine.game.phrases import format_event, parse_event
+from engine.game.referee import judge_shot
+from engine.game.shot import Shot
+from engine.records.read import read_record_text
+from engine.records.record import RecordError
+from engine.records.run import run_record
+from engine.variant.load import load_variant
+from tools.playouts.__main__ import main, play_share
+from tools.playouts.play import playout
+from tools.playouts.strokes import silly_shot
+from tools.playouts.watch import faults, same, shuffled
+
+GOOD = """\
+language 1
+game "Tiny"
+
+points: if any object ball pocketed: award 1 to shooter
+ending: if score of shooter is at least 3: shooter wins game
+next shot: if not cue ball is on table: give next player cue ball in hand in table
+"""
+
+
+def tiny(folder, script):
+    (folder / "tiny.toml").write_text('extends = "nine_ball"\ntitle = "Tiny"\nrules = "tiny"\n')
+    (folder / "tiny.rules").write_text(script)
+    return load_variant(folder / "tiny.toml")
+
+
+def found(variant, matches=6, most=400):
+    return [one for k in range(matches) for one in playout(variant, k, 1, most).findings]
+
+
+def test_a_seed_plays_the_same_matches():
+    once, again = (play_share("nine_ball", 0, 3, 7, 300)[1] for _ in range(2))
+    assert once == again
+    assert once != play_share("nine_ball", 0, 3, 8, 300)[1]
+
+
+@pytest.mark.parametrize("game", ["eight_ball", "snooker", "three_cushion", "five_pins"])
+def test_no_finding_in_a_shipped_game(game):
+    tally = play_share(game, 0, 2, 3, 150)[1]
+    assert tally.findings == []
+    assert tally.shots > 10
+
+
+def test_two_rules_that_clash_are_found_and_kept_as_a_record(tmp_path):
+    clash = (
+        "turn: if cue ball hit any cushion: turn continues\n"
+        "turn: if any object ball pocketed: turn passes\n"
+    )
+    variant = tiny(tmp_path, GOOD + clash)
+    finding = found(variant)[0]
+    assert "two rules decide the turn differently" in finding.what
+    record = read_record_text(finding.record, tmp_path / "shot.toml", lambda _: variant)
+    with pytest.raises(RecordError, match="two rules decide the turn"):
+        run_record(record)
+
+
+def test_a_match_in_which_nobody_can_move_is_found(tmp_path):
+    script = GOOD.replace(
+        "next shot: if not cue ball is on table", "next shot: if cue ball hit 9-ball"
+    )
+    stuck = tiny(
+        tmp_path, script.replace("score of shooter is at least 3", "score of shooter is 99")
+    )
+    assert any("no ball left" in one.what or "no cue ball" in one.what for one in found(stuck))
+
+
+def test_every_shot_that_is_made_up_can_be_told():
+    variant = load_variant("eight_ball")
+    situation = start_match(variant).situation
+    for number in range(200):
+        shot = silly_shot(variant, situation, random.Random(number), places=number % 2 == 0)
+        down = set()
+        for event in shot.events or ():
+            assert parse_event(format_event(event), variant.program.vocabulary) == event
+            name = type(event).__name__
+            assert name not in {"Pocketed", "LeftTable", "CushionHit"} or event.ball not in down
+            if name in {"Pocketed", "LeftTable"}:
+                down.add(event.ball)
+            if name == "Rebounded":
+                down.discard(event.ball)
+
+
+def verdict_of(variant, *events):
+    situation = start_match(variant).situation
+    shot = Shot(events=tuple(map(parse_event, events)))
+    return situation, shot, judge_shot(variant, situation, shot)
+
+
+def test_a_lost_ball_is_noticed():
+    variant = load_variant("eight_ball")
+    situation, shot, verdict = verdict_of(variant, "cue hits 1", "1 hits cushion foot")
+    assert list(faults(variant, situation, shot, verdict)) == []
+    lost = replace(verdict.after, on_table=verdict.after.on_table - {"5"})
+    told = list(faults(variant, situation, shot, replace(verdict, after=lost)))
+    assert "gone without a trace: 5" in told
+
+
+def test_balls_in_one_another_are_noticed():
+    variant = load_variant("eight_ball")
+    situation, shot, verdict = verdict_of(variant, "cue hits 1", "1 hits cushion foot")
+    places = {**verdict.after.rest.positions, "7": (0.0, 0.0), "8": (0.01, 0.0)}
+    after = replace(verdict.after, rest=replace(verdict.after.rest, positions=places))
+    told = list(faults(variant, situation, shot, replace(verdict, after=after)))
+    assert "8 lies in 7" in told or "7 lies in 8" in told
+
+
+def test_verdicts_that_differ_are_told_apart():
+    variant = load_variant("eight_ball")
+    _, _, one = verdict_of(variant, "cue hits 1", "1 hits cushion foot")
+    _, _, other = verdict_of(variant, "cue hits 1", "cue pocketed foot-left")
+    assert list(same(one, one)) == []
+    assert any("fouls" in told for told in same(one, other))
+
+
+def test_the_rules_are_in_another_order_and_all_there():
+    program = load_variant("snooker").program
+    mixed = shuffled(program, random.Random(1))
+    before = [rule.number for rule in program.compiled["fouls"]]
+    after = [rule.number for rule in mixed.compiled["fouls"]]
+    assert before != after
+    assert sorted(before) == sorted(after)
+
+
+def test_the_command_plays_and_tells(capsys):
+    assert main(["nine_ball", "--matches", "2", "--shots", "200", "--jobs", "1"]) in {0, 1}
+    assert "nine_ball" in capsys.readouterr().out
