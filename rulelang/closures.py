@@ -121,7 +121,7 @@ def opponent(watch: Watch, player: int) -> int:
 def leader(watch: Watch) -> int:
     """Return the player, or the first of the side, with the highest score; 0 where it is shared."""
     best = max(watch.scores)
-    mates = watch.mates if watch.mates > 1 else 1
+    mates = max(1, watch.mates)
     return watch.scores.index(best) + 1 if watch.scores.count(best) == mates else 0
 
 

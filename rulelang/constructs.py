@@ -34,6 +34,7 @@ CONSTRUCTS = Constructs(
         s.PartnerOf: nouns.partner_of,
         s.CueBallOf: nouns.cue_ball_of,
         s.ScoreOf: counting.score_of,
+        s.LotOf: counting.lot_of,
         s.ScoreGap: counting.gap,
         s.ScoreExtreme: counting.extreme_score,
         s.Listing: nouns.listing,

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.chance import lots
 from rulelang.closures import joined, singles
-from rulelang.code import Code
+from rulelang.code import Code, Mistake
 from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
@@ -102,6 +103,18 @@ def score_of(x: Expressions, node: s.ScoreOf) -> Code:
     if x.frozen:
         return joined(Code(k.NUMBER, lambda c: c.situation.scores[run(c) - 1]), who)
     return joined(Code(k.NUMBER, lambda c: c.scores[run(c) - 1], staged=True), who)
+
+
+def lot_of(x: Expressions, node: s.LotOf) -> Code:
+    """Compile `lot of WHO up to N`: a number for each player, none twice, from the seed alone."""
+    fewest, most = x.scope.vocabulary.players[1], 1000
+    if not fewest <= node.most <= most:
+        message = f"{node.most} numbers are not one for each of {fewest} players"
+        mend = f"say `up to {max(fewest, min(most, node.most))}`"
+        raise Mistake("R307", node.at, message, mend)
+    who = x.want(node.who, k.PLAYER)
+    run, last = who.run, node.most
+    return joined(Code(k.NUMBER, lambda c: lots(c.situation.seed, last)[run(c) - 1]), who)
 
 
 def gap(x: Expressions, _node: s.ScoreGap) -> Code:

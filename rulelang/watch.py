@@ -45,10 +45,10 @@ class Watch:
 
     __slots__ = (
         "actions", "all_events", "balls", "bits", "call", "chooser", "chosen", "continues", "cue",
-        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "mates", "memo", "names",
-        "next_phase", "next_player", "objects", "on_after", "on_before", "phase", "player",
-        "players", "scores", "seen", "shooter", "shot", "situation", "stage",
-        "state", "stroke", "up_after", "up_before", "values", "winner",
+        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "mates", "memo",
+        "names", "next_phase", "next_player", "objects", "on_after", "on_before", "phase",
+        "player", "players", "scores", "seen", "shooter", "shot", "situation", "stage", "state",
+        "stroke", "up_after", "up_before", "values", "winner",
     )  # fmt: skip
 
     def __init__(

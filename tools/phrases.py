@@ -311,6 +311,11 @@ PHRASES: tuple[Phrase, ...] = (
         ("[second] highest score, [second] lowest score", "of all players; the second may be as"
          " good as the first",
          "ending: if lowest score is 0 and second highest score is 5: tie game"),
+        ("lot of WHO up to N", "a number from 1 to N drawn by lot, none twice: hidden numbers, the"
+         " order of players", "at game start:\n    for each player: set secret of that player to"
+         " lot of that player up to 15",
+         "track secret per game per player\n"
+         "ending: if any of 8-ball pocketed and secret of shooter is 8: shooter wins game\n"),
         ("NAME [of WHO]", "a tracked value, or a setting",
          "if misses of shooter is at least 3: foul x", _TRACK),
         ("A plus B, A minus B, A times B", "arithmetic; `times` binds before the others",

@@ -225,6 +225,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "cue_ball_of": lambda n: s.CueBallOf(span(n), expression(n.children[0])),
     "called_name": _called,
     "score_of": lambda n: s.ScoreOf(span(n), expression(n.children[0])),
+    "lot_of": lambda n: s.LotOf(span(n), expression(n.children[0]), int(float(n.children[1]))),
     "score_gap": lambda n: s.ScoreGap(span(n)),
     "score_extreme": lambda n: s.ScoreExtreme(span(n), text(n.children[0])),
     "score_second": lambda n: s.ScoreExtreme(span(n), text(n.children[0]), second=True),

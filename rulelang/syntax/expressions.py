@@ -105,6 +105,15 @@ class ScoreOf:
 
 
 @dataclass(frozen=True, slots=True)
+class LotOf:
+    """A number from 1 to `most` drawn by lot for a player, another for each."""
+
+    at: Span
+    who: Expr
+    most: int
+
+
+@dataclass(frozen=True, slots=True)
 class ScoreGap:
     at: Span
 
@@ -254,7 +263,7 @@ class Sequence:
 
 Expr = (
     Number | Flag | Nothing | Name | NameOf | BallNumber | Noun | Called | Player | OpponentOf
-    | PartnerOf | CueBallOf | ScoreOf | ScoreGap | ScoreExtreme | Listing | OnTable
+    | PartnerOf | CueBallOf | ScoreOf | LotOf | ScoreGap | ScoreExtreme | Listing | OnTable
     | Standing | UpTo | Extreme | Except | Quantified
     | Happened | Total | Arithmetic | Is | Junction | Not | Sequence
 )  # fmt: skip

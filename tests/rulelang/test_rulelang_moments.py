@@ -193,3 +193,30 @@ def test_a_draw_has_no_winner_and_a_match_may_end_by_itself():
     over = play(RACE, "7 pocketed foot-left", state=state)
     assert [(one.unit, one.winner) for one in over.endings] == [("match", 2)]
     assert (over.state["racks"], over.state["handicap"]) == ((0, 1), 0)
+
+
+HIDDEN = """
+track secret per game per player
+at game start:
+    for each player: set secret of that player to lot of that player up to 15
+ending:
+    if 8-ball pocketed and secret of opponent is 8: opponent wins game
+"""
+
+
+def test_hidden_numbers_differ_and_come_from_the_seed_alone():
+    program = program_of(HIDDEN)
+    drawn = [start(program, before(program, players=4, seed=n)).state["secret"] for n in range(30)]
+    assert all(len(set(one)) == 4 and set(one) <= set(range(1, 16)) for one in drawn)
+    assert len(set(drawn)) > 25
+    assert drawn[3] == start(program, before(program, players=4, seed=3)).state["secret"]
+
+
+def test_a_hidden_number_may_decide():
+    told = play(HIDDEN, "8 pocketed foot-left", state={"secret": (3, 8)})
+    assert told.endings[0].winner == 2
+    assert not play(HIDDEN, "8 pocketed foot-left", state={"secret": (8, 3)}).endings
+
+
+def test_there_is_a_number_for_everybody():
+    assert codes("if lot of shooter up to 3 is 2: foul x\n") == [(1, "R307")]
