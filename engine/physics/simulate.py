@@ -121,7 +121,7 @@ class Simulation:
             if answer == state.STORM:
                 raise EventStormError(self._layout, self._ball, self._strike)
             if answer == state.FULL:
-                self._make_room(max(len(self._pieces), len(self._events)))
+                self._make_room(1 + self._room())
                 continue
             if answer == state.ASK:
                 self._answer()
@@ -130,6 +130,10 @@ class Simulation:
             if not self.finished:
                 self._clock[1] = max(self._clock[1], until)
                 return
+
+    def _room(self) -> int:
+        """Return how many rows are free, of pieces or of events, whichever has more."""
+        return int(max(len(self._pieces) - self._counts[0], len(self._events) - self._counts[1]))
 
     def _make_room(self, rows: int) -> None:
         """See to it that so many rows are free for pieces and for events."""
