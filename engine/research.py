@@ -79,7 +79,7 @@ class Lab:
 
 
 def load(name_or_path: str | Path) -> Lab:
-    """Return a variant's table by stem (`"snooker"`) or path; its rules are not read.
+    """Return a variant's table by stem or path; its rules are not read.
 
     Raises VariantError, which carries every mistake of the file.
     """

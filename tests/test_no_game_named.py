@@ -13,7 +13,7 @@ SOURCES = sorted(
 )
 # Games that ship, and games that people know: none of them may be special. What is a phrase of the
 # sport as well (`PHRASES`) cannot be told apart and is left out.
-PHRASES = {"one cushion", "rotation"}
+PHRASES = {"one cushion", "one pocket", "rotation"}
 KNOWN = """
 snooker, eight ball, nine ball, ten ball, straight pool, blackball, three cushion, straight rail,
 balkline, five pins, pyramid, keglebillard, bar billiards, english billiards, kitchen, baulk,
