@@ -50,3 +50,31 @@ def test_phrase_tells_its_event_and_no_other(event: str, phrase: str) -> None:
 def test_every_code_is_listed() -> None:
     listed = dict(re.findall(r"^\| (R\d{3}) \| (.*?) \|$", TEXT, re.MULTILINE))
     assert listed == CODES
+
+
+NOTIONS = re.findall(
+    r"^\| (.+?) \| `(.+?)` \| `(\w+)` \|$",
+    TEXT.split("## What it says, and where")[1].split("## Limits")[0],
+    re.MULTILINE,
+)
+
+
+def source_with_used(name: str) -> str:
+    """Return a shipped script with those it uses."""
+    for folder in (ROOT / "variants" / "rules", ROOT / "variants"):
+        path = folder / f"{name}.rules"
+        if path.exists():
+            text = path.read_text(encoding="utf-8")
+            return text + "".join(
+                source_with_used(used) for used in re.findall(r'^uses "(.+?)"', text, re.MULTILINE)
+            )
+    return ""
+
+
+@pytest.mark.parametrize(("notion", "piece", "game"), NOTIONS)
+def test_each_notion_is_where_the_page_says(notion: str, piece: str, game: str) -> None:
+    assert piece in source_with_used(game), notion
+
+
+def test_the_notions_are_many() -> None:
+    assert len(NOTIONS) > 40
