@@ -50,6 +50,15 @@ def script_codes() -> str:
     return _table(CODES)
 
 
+def games() -> str:
+    """Return the games that ship, by title."""
+    from engine.variant.load import list_variants  # noqa: PLC0415
+
+    shipped = list_variants()
+    links = sorted(f"[{one.title}](docs/games/{one.name}.md)" for one in shipped)
+    return f"{len(shipped)} games: {', '.join(links)}.\n"
+
+
 def codes() -> str:
     """Return the page of codes of variant files and scripts."""
     from tools.codes import page  # noqa: PLC0415
@@ -157,6 +166,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "phrases": phrases,
     "commands": commands,
     "keys": keys,
+    "games": games,
     "validation": validation,
     "robustness": robustness,
 }
