@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
+from functools import cache
 from time import thread_time
 from typing import TYPE_CHECKING
 
@@ -77,6 +79,7 @@ class Tally:
 
 def soak(plan: Plan, first: int, last: int) -> Tally:
     """Return what came of the shots from number `first` up to `last`."""
+    _warm(plan)
     tally = Tally()
     for number in range(first, last):
         stroke = make_stroke(plan, number)
@@ -88,6 +91,15 @@ def soak(plan: Plan, first: int, last: int) -> Tally:
             fault = Fault(number, stroke.variant.name, stroke.scene, words, record)
             tally.faults.append(fault)
     return tally
+
+
+@cache
+def _warm(plan: Plan) -> None:
+    """Load this process's kernels, those of flights too, so that no shot's time holds it."""
+    for number in range(3 * len(plan.variants)):
+        stroke = make_stroke(plan, number)
+        with suppress(EventStormError, ValueError, ArithmeticError, LookupError):
+            simulate(stroke.world, stroke.layout, stroke.ball, stroke.strike)
 
 
 def _played(stroke: Stroke, tally: Tally) -> tuple[str, ...]:
