@@ -95,7 +95,8 @@ def _chosen_once(after: Situation, taken: Offer) -> Situation:
 
     What is on offer before a shot is chosen once; the stroke follows.
     """
-    again = any((one.key, one.option) == (taken.key, taken.option) for one in after.offers)
+    known = {taken.key} if taken.key >= 0 else {one.key for one in after.offers}
+    again = any(one.option == taken.option and one.key in known for one in after.offers)
     return replace(after, offers=()) if again else after
 
 

@@ -58,7 +58,10 @@ def test_a_saved_shot_reads_back_and_plays_again(name, tmp_path):
 @pytest.mark.parametrize("name", GAMES)
 def test_another_physics_is_judged_but_not_replayed(name, tmp_path):
     path = tmp_path / "shot.toml"
-    save_shot_record(path, a_match(name, 1))
+    match = a_match(name, 1)
+    if match.played[-1].shot.is_only_choice:
+        match = a_match(name, 2)
+    save_shot_record(path, match)
     text = path.read_text(encoding="utf-8")
     line = next(line for line in text.splitlines() if line.startswith("physics"))
     path.write_text(text.replace(line, 'physics = "0000000000000000"'), encoding="utf-8")
@@ -127,7 +130,8 @@ def test_the_start_of_a_game(name):
     assert not match.situation.over
     place = usual_place(match.variant, match.situation)
     assert (place is None) == (match.situation.in_hand is None)
-    assert refuse_place(match.variant, match.situation, place) is None
+    if place is not None:
+        assert refuse_place(match.variant, match.situation, place) is None
     assert refuse_place(match.variant, match.situation, (9.0, 0.0)) is not None
 
 
