@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from engine.game.aftermath import fallen
 from engine.game.referee import look_ahead
 from engine.game.situation import cue_ball_of
+from rulelang.facts import Call
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -107,10 +108,17 @@ def _stuck(variant: Variant, after: Situation) -> Iterator[str]:
     elif cue not in after.on_table:
         yield f"player {after.shooter} has no cue ball"
     if variant.program.on is not None:
-        if not look_ahead(variant, after).on:
+        if not _is_anything_on(variant, after):
             yield "no ball is on, and the game goes on"
     elif not after.on_table - {cue}:
         yield "there is no ball left to play at, and the game goes on"
+
+
+def _is_anything_on(variant: Variant, after: Situation) -> bool:
+    """Tell whether a ball is on, be it only where a group is claimed for the shot."""
+    groups = {group for ball in variant.balls for group in ball.groups}
+    calls = (None, *(Call(group=group) for group in sorted(groups)))
+    return any(look_ahead(variant, after, call).on for call in calls)
 
 
 def shuffled(program: Program, rng: Random) -> Program:
