@@ -40,6 +40,9 @@ ERROR = 1e-5
 DEAD = 2e-5
 """A slip that is none, in parts of the normal speed."""
 
+NEAR = 1e-10
+"""How near to its end a phase ends, in parts of the speed or its square."""
+
 STEPS = 1000
 """Steps after which an impact that does not end is given up; none is known."""
 
@@ -90,9 +93,9 @@ def mathavan(
 @kernel
 def _follow(y: Ten, place: Five, speed: float, restitution: float) -> Ten:
     """Return the state after compression and restitution; `speed` is the ball's into the nose."""
-    part, goal, returning = 0.3, 0.0, 0.0
+    part, goal, returning = 0.5, 0.0, 0.0
+    first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
     for _ in range(STEPS):
-        first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
         # a step is a part of the slips' remaining life, so that it shrinks as they do
         life = min(speed, _life(y, first, place))
         trial, error = _attempt(y, first, place, part * life)
@@ -110,6 +113,7 @@ def _follow(y: Ten, place: Five, speed: float, restitution: float) -> Ten:
                 return y
             returning, goal = 1.0, (1.0 - restitution * restitution) * y[WORK]
         part = min(1.0, part * ease)
+        first = _friction(y[NOSE_X], y[NOSE_T], y[BED_X], y[BED_Y], place)
     return y
 
 
@@ -146,24 +150,40 @@ def _arrive(
     speed: float,
     returning: float,
 ) -> Ten:
-    """Return the state in which the phase ends, within a step h to `trial`: Newton's method."""
-    low, high = 0.0, h
+    """Return the state in which the phase ends, within a step h to `trial`.
+
+    What is left is a quadratic or cubic of h but for the turning of the slips; its root is the
+    first guess, its slope that of Newton's method.
+    """
+    _, dt, _, dy = _drift(first, place)
+    slowing = (dy - dt) / (1.0 + place[P_RISE])
+    q0, end = _left(y, place, goal, returning), _left(trial, place, goal, returning)
+    if returning > 0.0:
+        q1, q2 = _into(y, place), 0.5 * slowing
+        q3 = (end - q0 - h * (q1 + h * q2)) / (h * h * h)
+    else:
+        q1, q2, q3 = slowing, (end - q0 - h * slowing) / (h * h), 0.0
+    low, high, guess = 0.0, h, h * q0 / (q0 - end)
+    for _ in range(4):
+        slope = q1 + guess * (2.0 * q2 + guess * 3.0 * q3)
+        following = guess - (q0 + guess * (q1 + guess * (q2 + guess * q3))) / slope
+        if not low < following < high:
+            break
+        guess = following
     scale = speed * speed if returning > 0.0 else speed
     for _ in range(50):
+        trial, _ = _attempt(y, first, place, guess)
         left = _left(trial, place, goal, returning)
-        if abs(left) <= 1e-10 * scale:
+        if abs(left) <= NEAR * scale:
             break
         if left > 0.0:
-            low = h
+            low = guess
         else:
-            high = h
-        slope = (
-            _into(trial, place) if returning > 0.0 else (_into(trial, place) - _into(y, place)) / h
-        )
-        h -= left / slope if slope != 0.0 else 0.0
-        if not low < h < high:
-            h = 0.5 * (low + high)
-        trial, _ = _attempt(y, first, place, h)
+            high = guess
+        slope = q1 + guess * (2.0 * q2 + guess * 3.0 * q3)
+        guess -= left / slope if slope != 0.0 else 0.0
+        if not low < guess < high:
+            guess = 0.5 * (low + high)
     return trial
 
 
@@ -273,9 +293,11 @@ def _friction(sx: float, st: float, ux: float, uy: float, place: Five) -> Four:
     dead = place[P_DEAD] * place[P_DEAD]
     if slip <= dead or slide <= dead:
         return _hold(sx, st, ux, uy, place)
-    part = -place[P_NOSE] / sqrt(slip)
+    # both roots at once: the second waits for nothing
+    over, under = 1.0 / sqrt(slip), 1.0 / sqrt(slide)
+    part = -place[P_NOSE] * over
     fx, ft = part * sx, part * st
-    part = -place[P_BED] * max(0.0, place[P_RISE] - ft * place[P_LEVEL]) / sqrt(slide)
+    part = -place[P_BED] * max(0.0, place[P_RISE] - ft * place[P_LEVEL]) * under
     return fx, ft, part * ux, part * uy
 
 
