@@ -18,47 +18,40 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.geometry.kernel import kernel_with_arrays
+from engine.physics.entered import (
+    B_VX,
+    B_VY,
+    B_VZ,
+    B_WX,
+    B_WY,
+    B_WZ,
+    B_X,
+    B_Y,
+    B_Z,
+    BACK,
+    BODY,
+    H_BALL,
+    H_BED_X,
+    H_E,
+    H_GRAVITY,
+    H_LIP,
+    H_RADIUS,
+    HOLE,
+    LEAN,
+    LONGEST,
+    NODE,
+    SLIPS,
+    STEP,
+    energy,
+    node,
+)
+from engine.physics.hole import at_bed, fly
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
     Ints = NDArray[np.int64]
-
-CAPTURED, BACK, OVER = range(3)
-"""What becomes of a ball at a pocket: it falls in, is back on the bed, or leaps over the rim."""
-
-B_X, B_Y, B_Z, B_VX, B_VY, B_VZ, B_WX, B_WY, B_WZ = range(9)
-BODY = 9
-"""A ball's centre from the pocket's at the height of the bed, velocity and spin: m, m/s, rad/s."""
-
-(H_RADIUS, H_LIP, H_RIM, H_E, H_RUB, H_BED_X, H_BED_Y, H_BED_COS, H_BALL, H_GRAVITY) = range(10)
-HOLE = 10
-"""Radius of the drop, of its lip, height of the rim; restitution and friction in the hole; the
-direction in which the bed lies and the cosine of the half angle that the lip takes up; the ball's
-radius and gravity."""
-
-STEP = 2e-4
-"""Time step (s); the ends of a stage are found within one."""
-
-LEAN = 1e-9
-"""The least angle (rad) by which a ball that falls of itself is taken to lean."""
-
-SLIPS = 0.05
-"""Slip over speed from which on a ball is taken to slide over the lip without friction."""
-
-SLOW = 0.05
-"""An approach (m/s) in the hole that does not bounce: a ball settles instead of trembling."""
-
-NUDGE = 1e-9
-"""By how much (m, s) a ball is moved off a jaw, so that it is seen to be off."""
-
-LONGEST = 20.0
-"""Time (s) after which a ball that has found no way out of a hole is taken to lie in it."""
-
-
-NODE = 5e-3
-"""The longest time (s) between two places noted on the way, save in free flight."""
 
 
 @kernel_with_arrays
@@ -85,10 +78,10 @@ def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
     between two of them gravity alone acts, or little time goes by. Returns the outcome, the time
     (s) it takes and how many nodes there are.
     """
-    before = _energy(body, hole)
+    before = energy(body, hole)
     time, counts = 0.0, np.zeros(1, dtype=np.int64)
     outcome = -1
-    _node(body, 0.0, way, counts)
+    node(body, 0.0, way, counts)
     if body[B_Z] <= hole[H_BALL] + 1e-9:
         lean = np.zeros(3)
         inertia = 1.4 if _rolls(body, hole) else 1.0
@@ -96,7 +89,7 @@ def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
         time = lean[2]
         outcome = BACK if back else -1
     if outcome < 0:
-        outcome, time = _fly(body, hole, time, way, counts)
+        outcome, time = fly(body, hole, time, way, counts)
     _no_gain(body, hole, before)
     count = counts[0]
     if way[count - 1, 0] < time:
@@ -106,27 +99,10 @@ def fall(body: Floats, hole: Floats, way: Floats) -> tuple[int, float, int]:
 
 
 @kernel_with_arrays
-def _node(body: Floats, time: float, way: Floats, counts: Ints) -> None:
-    """Note a place of the ball's way, as long as there is room for it and the last."""
-    if counts[0] < way.shape[0] - 1:
-        way[counts[0], 0] = time
-        way[counts[0], 1:] = body
-        counts[0] += 1
-
-
-@kernel_with_arrays
-def _energy(body: Floats, hole: Floats) -> float:
-    """Return a ball's energy over its mass."""
-    speed = body[B_VX] ** 2 + body[B_VY] ** 2 + body[B_VZ] ** 2
-    spin = body[B_WX] ** 2 + body[B_WY] ** 2 + body[B_WZ] ** 2
-    return 0.5 * speed + 0.2 * hole[H_BALL] ** 2 * spin + hole[H_GRAVITY] * body[B_Z]
-
-
-@kernel_with_arrays
 def _no_gain(body: Floats, hole: Floats, before: float) -> None:
     """Take back from speed and spin what integration gained, or the modelled leap onto the bed."""
     height = hole[H_GRAVITY] * body[B_Z]
-    inner = _energy(body, hole) - height
+    inner = energy(body, hole) - height
     if inner + height <= before or inner <= 0.0:
         return
     part = sqrt(max(before - height, 0.0) / inner) * (1.0 - 1e-15)
@@ -206,7 +182,7 @@ def _lean_over(
         h = STEP
         _lean_step(y, h, hole, rho, whirl, inertia, new)
         angle = start + new[2]
-        if not _at_bed(cos(angle), sin(angle), hole):
+        if not at_bed(cos(angle), sin(angle), hole):
             if whirl * (new[2] - y[2]) <= 0.0:
                 break
             whirl *= -hole[H_E]  # a jaw stands there
@@ -220,13 +196,13 @@ def _lean_over(
             noted = time
             body[:] = first
             _set_down(body, hole, rho, y, whirl, start, inertia)
-            _node(body, time, way, counts)
+            node(body, time, way, counts)
     back = y[0] <= 0.0
     y[0] = max(y[0], 0.0)
     lean[0], lean[1], lean[2] = y[0], y[1], time
     body[:] = first
     _set_down(body, hole, rho, y, whirl, start, inertia)
-    _node(body, time, way, counts)
+    node(body, time, way, counts)
     return back
 
 
@@ -283,149 +259,4 @@ def _set_down(
     body[B_WZ] = (nx * body[B_VY] - ny * body[B_VX]) / r + left * nz
 
 
-@kernel_with_arrays
-def _at_bed(x: float, y: float, hole: Floats) -> bool:
-    """Say whether the hole's edge in this direction from its middle is the bed's."""
-    d = hypot(x, y)
-    return x * hole[H_BED_X] + y * hole[H_BED_Y] >= hole[H_BED_COS] * d - 1e-12
-
-
-@kernel_with_arrays
-def _gap(body: Floats, hole: Floats, normal: Floats) -> float:
-    """Return how far (m) a ball is from what is nearest in the hole; `normal` points from it."""
-    d = hypot(body[B_X], body[B_Y])
-    ex, ey = (body[B_X] / d, body[B_Y] / d) if d > 0.0 else (1.0, 0.0)
-    lip, top = 0.0, hole[H_RIM]
-    if _at_bed(body[B_X], body[B_Y], hole):
-        lip, top = hole[H_LIP], -hole[H_LIP]
-    away, above = d - hole[H_RADIUS], body[B_Z] - top
-    if above <= 0.0:
-        normal[0], normal[1], normal[2] = -ex, -ey, 0.0
-        return -away - lip - hole[H_BALL]
-    if away >= 0.0:
-        normal[0], normal[1], normal[2] = 0.0, 0.0, 1.0
-        return above - lip - hole[H_BALL]
-    reach = hypot(away, above)
-    normal[0], normal[1], normal[2] = away / reach * ex, away / reach * ey, above / reach
-    return reach - lip - hole[H_BALL]
-
-
-@kernel_with_arrays
-def _drift(body: Floats, h: float, gravity: float) -> None:
-    body[B_X] += h * body[B_VX]
-    body[B_Y] += h * body[B_VY]
-    body[B_Z] += h * (body[B_VZ] - 0.5 * gravity * h)
-    body[B_VZ] -= gravity * h
-
-
-@kernel_with_arrays
-def _outcome(body: Floats, hole: Floats) -> int:
-    """Return what has become of a ball, or -1 while that is open."""
-    if body[B_Z] <= -hole[H_BALL]:
-        return CAPTURED
-    if hypot(body[B_X], body[B_Y]) < hole[H_RADIUS]:
-        return -1
-    if _at_bed(body[B_X], body[B_Y], hole):
-        return BACK if body[B_Z] >= hole[H_BALL] - 1e-4 else -1
-    return OVER if body[B_Z] > hole[H_RIM] else -1
-
-
-@kernel_with_arrays
-def _fly(body: Floats, hole: Floats, time: float, way: Floats, counts: Ints) -> tuple[int, float]:
-    """Let a ball fall and bounce in the hole to its outcome; return it and its time."""
-    trial, normal, noted = np.empty(BODY), np.empty(3), time
-    touching = _gap(body, hole, normal) <= 1e-7
-    while time < LONGEST:
-        trial[:] = body
-        _drift(trial, STEP, hole[H_GRAVITY])
-        h = STEP
-        if _past_jaw(body, trial, hole):
-            _off_jaw(body, hole)
-            time += NUDGE
-            continue
-        gap = _gap(trial, hole, normal)
-        if gap < 0.0 and not touching:
-            low, high = 0.0, STEP
-            for _ in range(50):
-                h = 0.5 * (low + high)
-                trial[:] = body
-                _drift(trial, h, hole[H_GRAVITY])
-                if _gap(trial, hole, normal) < 0.0:
-                    high = h
-                else:
-                    low = h
-            h = low
-            trial[:] = body
-            _drift(trial, h, hole[H_GRAVITY])
-            gap = _gap(trial, hole, normal)
-            touching = True
-        elif gap < 0.0:
-            for k in range(3):
-                trial[k] -= gap * normal[k]
-        else:
-            touching = False
-        body[:] = trial
-        time += h
-        if touching:
-            _strike(body, hole, normal)
-            if time - noted >= NODE or h < STEP:
-                noted = time
-                _node(body, time, way, counts)
-        outcome = _outcome(body, hole)
-        if outcome >= 0:
-            return outcome, time
-    return CAPTURED, time
-
-
-@kernel_with_arrays
-def _past_jaw(body: Floats, trial: Floats, hole: Floats) -> bool:
-    """Say whether a ball over the lip would go on into the jaw where the bed ends."""
-    outside = hypot(trial[B_X], trial[B_Y]) > hole[H_RADIUS] - hole[H_BALL]
-    if not outside or trial[B_Z] > hole[H_RIM] + hole[H_BALL]:
-        return False
-    return _at_bed(body[B_X], body[B_Y], hole) and not _at_bed(trial[B_X], trial[B_Y], hole)
-
-
-@kernel_with_arrays
-def _off_jaw(body: Floats, hole: Floats) -> None:
-    """Turn back what a ball has of speed round the hole."""
-    d = hypot(body[B_X], body[B_Y])
-    tx, ty = -body[B_Y] / d, body[B_X] / d
-    change = (1.0 + hole[H_E]) * (body[B_VX] * tx + body[B_VY] * ty)
-    body[B_VX] -= change * tx
-    body[B_VY] -= change * ty
-    away = NUDGE if change < 0.0 else -NUDGE
-    body[B_X] += away * tx
-    body[B_Y] += away * ty
-
-
-@kernel_with_arrays
-def _strike(body: Floats, hole: Floats, normal: Floats) -> None:
-    """Resolve a blow against what lies behind `normal`: restitution, and friction to 2/7."""
-    nx, ny, nz = normal[0], normal[1], normal[2]
-    speed = -(body[B_VX] * nx + body[B_VY] * ny + body[B_VZ] * nz)
-    if speed <= 0.0:
-        return
-    r = hole[H_BALL]
-    pressed = (1.0 + (hole[H_E] if speed > SLOW else 0.0)) * speed
-    wx, wy, wz = body[B_WX], body[B_WY], body[B_WZ]
-    sx = body[B_VX] + speed * nx - r * (wy * nz - wz * ny)
-    sy = body[B_VY] + speed * ny - r * (wz * nx - wx * nz)
-    sz = body[B_VZ] + speed * nz - r * (wx * ny - wy * nx)
-    slip = sqrt(sx * sx + sy * sy + sz * sz)
-    body[B_VX] += pressed * nx
-    body[B_VY] += pressed * ny
-    body[B_VZ] += pressed * nz
-    if slip <= 1e-15:
-        return
-    rub = -min(hole[H_RUB] * pressed, slip / 3.5) / slip
-    sx, sy, sz = rub * sx, rub * sy, rub * sz
-    body[B_VX] += sx
-    body[B_VY] += sy
-    body[B_VZ] += sz
-    body[B_WX] -= 2.5 / r * (ny * sz - nz * sy)
-    body[B_WY] -= 2.5 / r * (nz * sx - nx * sz)
-    body[B_WZ] -= 2.5 / r * (nx * sy - ny * sx)
-
-
-__all__ = ["BACK", "BODY", "CAPTURED", "HOLE", "OVER", "fall", "leaving_angle"]
+__all__ = ["fall", "leaving_angle"]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.physics import lip, state
+from engine.physics import entered, lip, state
 from engine.physics.clusters import spread_at_once, spread_one_by_one
 from engine.physics.collide import closing_speed, strike_apart
 from engine.physics.pressed import meet_pressed
@@ -46,7 +46,7 @@ CLEAR = 1e-7
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fallen:
-    """A ball in a pocket: when and how it ends there, and its motion (`lip.B_*`) then."""
+    """A ball in a pocket: when and how it ends there, and its motion (`entered.B_*`) then."""
 
     time: float
     ball: int
@@ -113,12 +113,12 @@ def meet_cluster(asked: Asked) -> None:
 def reach_pocket(asked: Asked) -> None:
     """Take a ball over the lip: what becomes of it is known at once and told when it is time."""
     ball, row, drop = asked.who, asked.rows[asked.who], asked.world.drops[asked.other]
-    body, way = _body(row, drop), np.zeros((NODES, 1 + lip.BODY))
+    body, way = _body(row, drop), np.zeros((NODES, 1 + entered.BODY))
     outcome, time, count = lip.fall(body, _hole(asked, asked.other), way)
-    body[lip.B_X] += drop[state.D_X]
-    body[lip.B_Y] += drop[state.D_Y]
-    way[:, 1 + lip.B_X] += drop[state.D_X]
-    way[:, 1 + lip.B_Y] += drop[state.D_Y]
+    body[entered.B_X] += drop[state.D_X]
+    body[entered.B_Y] += drop[state.D_Y]
+    way[:, 1 + entered.B_X] += drop[state.D_X]
+    way[:, 1 + entered.B_Y] += drop[state.D_Y]
     _write_way(asked, ball, way[:count])
     asked.take(ball)
     fallen = Fallen(asked.time + time, ball, asked.other, outcome, body)
@@ -132,9 +132,9 @@ def leave_pocket(asked: Asked) -> None:
     due = [one for one in inside if one.time <= asked.time]
     inside[:] = [one for one in inside if one.time > asked.time]
     for one in sorted(due, key=lambda fallen: (fallen.time, fallen.ball)):
-        if one.outcome == lip.OVER:
+        if one.outcome == entered.OVER:
             asked.note(state.LEFT, one.ball)
-        elif one.outcome == lip.BACK and _has_room(asked, one):
+        elif one.outcome == entered.BACK and _has_room(asked, one):
             _put_back(asked, one)
         else:
             asked.note(state.DROPPED, one.ball, one.pocket)
@@ -151,7 +151,7 @@ def _inside(asked: Asked) -> list[Fallen]:
 
 def _body(row: Floats, drop: Floats) -> Floats:
     """Return a ball's row as the pocket's model takes it."""
-    body = np.zeros(lip.BODY)
+    body = np.zeros(entered.BODY)
     body[:3] = row[state.X] - drop[state.D_X], row[state.Y] - drop[state.D_Y], row[state.RADIUS]
     body[3:6] = row[state.VX], row[state.VY], 0.0
     body[6:] = row[[state.WX, state.WY, state.WZ]]
@@ -161,11 +161,13 @@ def _body(row: Floats, drop: Floats) -> Floats:
 def _hole(asked: Asked, pocket: int) -> Floats:
     """Return a pocket as the model takes it; where the bed lies depends on the noses about it."""
     drop, row = asked.world.drops[pocket], asked.rows[asked.who]
-    hole = np.zeros(lip.HOLE)
-    hole[[lip.H_RADIUS, lip.H_LIP, lip.H_RIM]] = drop[[state.D_SIZE, state.D_LIP, state.D_RIM]]
-    hole[[lip.H_E, lip.H_RUB]] = drop[[state.D_E, state.D_RUB]]
-    hole[lip.H_BALL] = row[state.RADIUS]
-    hole[lip.H_GRAVITY] = asked.world.numbers[state.G_GRAVITY]
+    hole = np.zeros(entered.HOLE)
+    hole[[entered.H_RADIUS, entered.H_LIP, entered.H_RIM]] = drop[
+        [state.D_SIZE, state.D_LIP, state.D_RIM]
+    ]
+    hole[[entered.H_E, entered.H_RUB]] = drop[[state.D_E, state.D_RUB]]
+    hole[entered.H_BALL] = row[state.RADIUS]
+    hole[entered.H_GRAVITY] = asked.world.numbers[state.G_GRAVITY]
     known = asked.memory.setdefault("mouths", {})
     if not isinstance(known, dict):
         raise TypeError("mouths are kept by pocket")
@@ -176,7 +178,7 @@ def _hole(asked: Asked, pocket: int) -> Floats:
     x, y = row[state.X] - drop[state.D_X], row[state.Y] - drop[state.D_Y]
     # where it came from the bed is open, whatever the mouth looks like
     came = (x * bx + y * by) / max(hypot(x, y), 1e-9)
-    hole[[lip.H_BED_X, lip.H_BED_Y, lip.H_BED_COS]] = bx, by, min(half, came - 1e-9)
+    hole[[entered.H_BED_X, entered.H_BED_Y, entered.H_BED_COS]] = bx, by, min(half, came - 1e-9)
     return hole
 
 

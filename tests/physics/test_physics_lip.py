@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from physics_cases import CORNER, SIDE, R, make_world, throw
 
-from engine.physics import lip, state
+from engine.physics import entered, state
+from engine.physics.entered import BACK, CAPTURED, OVER
 from engine.physics.events import BallPocketed
-from engine.physics.lip import BACK, CAPTURED, OVER, fall, leaving_angle
+from engine.physics.lip import fall, leaving_angle
 from engine.table.build import PocketCut
 
 G, HOLE = 9.81, 0.065
@@ -28,16 +29,22 @@ def test_at_once_from_the_speed_at_which_gravity_holds_it_no_more():
 
 def enter(speed, *, beside=0.0, inside=0.0, rim=0.05, e=0.2, rolls=True, edge=0.0, half=60.0):
     """What comes of a ball that crosses the edge along +x, `beside` the middle (drop radii)."""
-    hole = np.zeros(lip.HOLE)
-    hole[[lip.H_RADIUS, lip.H_LIP, lip.H_RIM, lip.H_E, lip.H_RUB]] = HOLE, edge, rim, e, 0.2
-    hole[[lip.H_BED_X, lip.H_BED_Y, lip.H_BED_COS]] = -1.0, 0.0, cos(radians(half))
-    hole[[lip.H_BALL, lip.H_GRAVITY]] = R, G
-    body = np.zeros(lip.BODY)
+    hole = np.zeros(entered.HOLE)
+    hole[[entered.H_RADIUS, entered.H_LIP, entered.H_RIM, entered.H_E, entered.H_RUB]] = (
+        HOLE,
+        edge,
+        rim,
+        e,
+        0.2,
+    )
+    hole[[entered.H_BED_X, entered.H_BED_Y, entered.H_BED_COS]] = -1.0, 0.0, cos(radians(half))
+    hole[[entered.H_BALL, entered.H_GRAVITY]] = R, G
+    body = np.zeros(entered.BODY)
     y = beside * HOLE
     body[:3] = -sqrt((HOLE - inside) ** 2 - y * y), y, R
-    body[lip.B_VX] = speed
-    body[lip.B_WY] = speed / R if rolls else 0.0
-    way, before = np.zeros((300, 1 + lip.BODY)), energy(body)
+    body[entered.B_VX] = speed
+    body[entered.B_WY] = speed / R if rolls else 0.0
+    way, before = np.zeros((300, 1 + entered.BODY)), energy(body)
     outcome, time, count = fall(body, hole, way)
     assert energy(body) <= before
     assert way[count - 1, 0] == time
@@ -46,7 +53,7 @@ def enter(speed, *, beside=0.0, inside=0.0, rim=0.05, e=0.2, rolls=True, edge=0.
 
 
 def energy(body):
-    return 0.5 * (body[3:6] ** 2).sum() + 0.2 * R**2 * (body[6:] ** 2).sum() + G * body[lip.B_Z]
+    return 0.5 * (body[3:6] ** 2).sum() + 0.2 * R**2 * (body[6:] ** 2).sum() + G * body[entered.B_Z]
 
 
 @pytest.mark.parametrize("speed", [1e-9, 1e-3, 0.05, 0.3, 0.6, 1.0, 1.5])
@@ -56,7 +63,7 @@ def test_a_slow_ball_falls_in(speed, rolls, edge):
     outcome, time, body = enter(speed, rolls=rolls, edge=edge)
     assert outcome == CAPTURED
     assert 0.05 < time < 3.0
-    assert body[lip.B_Z] <= -R
+    assert body[entered.B_Z] <= -R
 
 
 def test_the_slower_the_longer():
@@ -67,10 +74,10 @@ def test_the_slower_the_longer():
 def test_one_that_cuts_the_edge_comes_back_up_and_goes_on():
     outcome, _, body = enter(1.0, beside=0.97, half=180.0)
     assert outcome == BACK
-    assert body[lip.B_Z] == pytest.approx(R, abs=1e-9)
-    assert body[lip.B_Y] > 0.9 * HOLE
-    assert hypot(body[lip.B_VX], body[lip.B_VY]) == pytest.approx(1.0, abs=1e-9)
-    assert abs(body[lip.B_VY]) < 0.1
+    assert body[entered.B_Z] == pytest.approx(R, abs=1e-9)
+    assert body[entered.B_Y] > 0.9 * HOLE
+    assert hypot(body[entered.B_VX], body[entered.B_VY]) == pytest.approx(1.0, abs=1e-9)
+    assert abs(body[entered.B_VY]) < 0.1
 
 
 def test_a_lively_pocket_spits_a_fast_ball_out():
@@ -81,13 +88,13 @@ def test_a_lively_pocket_spits_a_fast_ball_out():
 def test_a_fast_ball_leaps_over_a_low_rim():
     outcome, _, body = enter(6.0, rim=0.0)
     assert outcome == OVER
-    assert body[lip.B_X] > 0.0
+    assert body[entered.B_X] > 0.0
 
 
 def test_a_hole_in_the_bed_is_crossed_by_a_fast_ball():
     outcome, _, body = enter(6.0, rim=0.0, half=180.0)
     assert outcome == BACK
-    assert body[lip.B_X] > 0.9 * HOLE
+    assert body[entered.B_X] > 0.9 * HOLE
     assert enter(0.5, rim=0.0, half=180.0)[0] == CAPTURED
 
 
