@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def cover(table: Table, shape: TableShape, rubber: Rubber, report: Report) -> Table:
     """Return the table with the rubber and models of single cushions and pockets' jaws."""
     said = shape.cushions
-    known = [str(one.id) for one in (*table.cushions, *table.pockets)]
+    known = [str(one.id) for one in table.cushions] + [str(one.id) for one in table.pockets]
     for name, own in said.items():
         if name not in known:
             report.unknown("V302", ("table", "cushions", name), "cushion", name, known)
