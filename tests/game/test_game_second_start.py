@@ -33,3 +33,14 @@ def test_the_opponents_ball_stands_on_its_mark(
     assert begun.in_hand is not None
     assert own not in begun.rest.positions
     assert begun.rest.positions[other] == pytest.approx(variant.world.table.spots[mark])
+
+
+@pytest.mark.parametrize(
+    ("breaker", "own", "other"), [(1, "white-1", "white-2"), (2, "white-2", "white-1")]
+)
+def test_so_it_does_among_five_balls(breaker: int, own: str, other: str) -> None:
+    variant = load_variant("kaisa")
+    begun = start_game(variant, 2, start_match(variant).settings, breaker=breaker)
+    assert len(begun.on_table) == 5
+    assert own not in begun.rest.positions
+    assert begun.rest.positions[other] == pytest.approx(variant.world.table.spots["head-spot"])
