@@ -168,7 +168,7 @@ def _scores(variant: Variant, situation: Situation, shot: Shot) -> bool:
 
 def _goes_on(variant: Variant) -> bool:
     """Tell whether the script says when a match of several games is over."""
-    return bool(variant.program.compiled.get("game end"))
+    return any(rule.late for rule in variant.program.compiled.get("game end", ()))
 
 
 def _settings(variant: Variant, rng: random.Random) -> dict[str, Value]:

@@ -182,10 +182,11 @@ def good_shot(
     if tale.standing:
         for _ in range(rng.randint(0, 3)):
             tale.topple(rng.choice([ball for ball in tale.live if ball != tale.cue]))
-    if pocket is not None and rng.random() < 0.9:
+    falls = rng.random()
+    if pocket is not None and falls < 0.85:
         tale.pocket(target, pocket)
-        if rng.random() < 0.1:
-            tale.pocket(tale.cue, rng.choice(pockets))
+    if pocket is not None and 0.75 < falls < 0.92:
+        tale.pocket(tale.cue, rng.choice(pockets))
     return _told(variant, situation, tale, call, choice, places=places)
 
 
