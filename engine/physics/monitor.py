@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.physics import state
-from engine.physics.pack import nose_reach, pack_noses, packed
+from engine.physics.noses import pack_noses
+from engine.physics.pack import nose_reach, packed
 from engine.physics.reading import read
 from engine.table.furniture import Table
 

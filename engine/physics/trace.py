@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from engine.physics.events import Event
     from engine.physics.felling import PinTrace
-    from engine.physics.pack import Owner
+    from engine.physics.noses import Owner
     from engine.physics.world import Ball, Layout
     from engine.table.furniture import BallId, PocketId, Point
 
