@@ -116,7 +116,7 @@ def test_render_draws_without_a_window(tmp_path):
         (("--help",), {"numba", "pygame", "numpy", "pydantic", "lark"}),
         (("list",), {"numba", "pygame"}),
         (("check", "snooker"), {"numba", "pygame"}),
-        (("golden", str(GOLDEN / "snooker")), {"numba", "pygame"}),
+        (("golden", str(GOLDEN / "eight_ball")), {"numba", "pygame"}),
     ],
 )
 def test_commands_that_move_no_ball_stay_light(words, heavy):
