@@ -230,10 +230,9 @@ def _in_the_way(
 
 def _put_on(variant: Variant, board: Board, ball: BallId, spot: SpotId) -> Board:
     at = variant.world.table.spots[spot]
-    rest = place_ball(variant, board.rest, ball, at)
     return replace(
         board,
-        rest=replace(rest, covered={**rest.covered, spot: ball}),
+        rest=place_ball(variant, board.rest, ball, at),
         on_table=board.on_table | {ball},
         spotted=(*board.spotted, Spotted(ball, spot, on=True)),
     )
