@@ -81,7 +81,13 @@ def check_rows() -> Iterator[dict[str, object]]:
 
 def long_script(lines: int) -> str:
     """Return the longest shipped script, its fouls said again until it has so many lines."""
-    source = (ROOT / "variants" / "snooker.rules").read_text(encoding="utf-8")
+    folder = ROOT / "variants"
+    files = ("rules/snooker-play.rules", "rules/snooker-choices.rules", "snooker.rules")
+    parts = [(folder / name).read_text(encoding="utf-8") for name in files]
+    first = [line for line in parts[-1].split("\n") if line.startswith(("language", "game"))]
+    head = ("language", "game", "uses")
+    rest = [line for part in parts for line in part.split("\n") if not line.startswith(head)]
+    source = "\n".join(first + rest)
     section = source[source.index("\nfouls:") : source.index("\npoints:")]
     for number in range(1, lines):
         for line in section.replace('rule "', f'rule "{number} ').split("\n"):
