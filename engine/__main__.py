@@ -144,9 +144,15 @@ def _tell(diagnostics: Sequence[Diagnostic], *, as_json: bool) -> None:
 @click.option("--pictures", type=FILE, metavar="FOLDER", help="Draw what differs there.")
 @click.option("--coverage", is_flag=True, help="Say which rules and sections the records prove.")
 @click.option("--mutate", is_flag=True, help="Make the rules wrong and see if a record notices.")
-@click.option("--jobs", type=click.IntRange(0), default=0, help="Processes for --mutate.")
 @click.option(
-    "--records", type=FILE, default="tests/golden", help="Where records lie by game: tests/golden."
+    "--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes for --mutate."
+)
+@click.option(
+    "--records",
+    type=FILE,
+    default="tests/golden",
+    metavar="FOLDER",
+    help="Where records lie by game: tests/golden.",
 )
 def golden(paths: Sequence[Path], *, as_json: bool, update: bool, **options: object) -> None:
     """Judge recorded shots again and show what differs.

@@ -63,8 +63,11 @@ def draw_table(surface: pygame.Surface, variant: Variant, box: Box) -> int:
         )
     radii = {ball.id: ball.radius for ball in variant.world.balls}
     kinds = {kind.id: kind for kind in variant.balls}
+    edge = tuple(part // 3 for part in look.cloth)
     for ball, place in lay_rack(variant.rack, 1).items():
-        _draw_ball(surface, kinds[ball], plan.at(place), plan.px(radii[ball]))
+        at, radius = plan.at(place), max(2, plan.px(radii[ball]))
+        _draw_ball(surface, kinds[ball], at, radius)
+        pygame.draw.circle(surface, edge, at, radius, 1)
     return frame[3]
 
 
@@ -82,7 +85,6 @@ def _draw_bed(surface: pygame.Surface, variant: Variant, plan: Plan) -> None:
 def _draw_ball(
     surface: pygame.Surface, kind: BallKind, place: tuple[int, int], radius: int
 ) -> None:
-    radius = max(radius, 2)
     if kind.pattern == "stripe":
         pygame.draw.circle(surface, CHALK, place, radius)
         band = (place[0] - radius, place[1] - radius // 2, 2 * radius, radius)

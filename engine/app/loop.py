@@ -133,6 +133,8 @@ class Loop:
         self.scroll -= 3 * self.hands.wheel
         for key in self.hands.pressed:
             self.scroll += PAGE_KEYS.get(key, 0)
+            if self.page is Page.MENU and key in ("up", "down"):
+                self.scroll %= len(MENU)
             if self.page is Page.MENU and key in ("return", "enter", "space"):
                 self._answer(Ask(MENU[min(max(self.scroll, 0), len(MENU) - 1)][0]))
                 return

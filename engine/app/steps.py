@@ -387,7 +387,14 @@ def _arrange(session: Session) -> Session:
     held = next((ball.id for ball in session.variant.balls if ball.id in ahead.on_table), None)
     shown = replace(ahead, in_hand=None, offers=(), winner=None)
     return replace(
-        session, mode=Mode.ARRANGING, ahead=shown, held=held, place=None, placing=None, call=NO_CALL
+        session,
+        mode=Mode.ARRANGING,
+        ahead=shown,
+        held=held,
+        place=None,
+        placing=None,
+        call=NO_CALL,
+        note="",
     )
 
 
@@ -437,9 +444,8 @@ def _repeat(session: Session) -> Session:
     back = _look(replace(back, call=last.shot.call, struck=last.shot.struck))
     place = last.shot.placement if back.placing else None
     strike = stroke_of(last.shot.strike)
-    return replace(
-        back, mode=Mode.AIMING, place=place, stroke=strike, later=(later,), note="once more"
-    )
+    note = "the last stroke once more: strike, or change it"
+    return replace(back, mode=Mode.AIMING, place=place, stroke=strike, later=(later,), note=note)
 
 
 def _undo(session: Session) -> Session:

@@ -40,7 +40,8 @@ def format_(paths: Sequence[Path], *, check: bool) -> None:
             click.echo(f"{path}: {'would change' if check else 'rewritten'}")
             if not check:
                 path.write_text(text, encoding="utf-8", newline="\n")
-    click.echo(f"{len(files)} files, {changed} {'would change' if check else 'changed'}")
+    count = "1 file" if len(files) == 1 else f"{len(files)} files"
+    click.echo(f"{count}, {changed} {'would change' if check else 'changed'}")
     sys.exit(status or int(check and changed > 0))
 
 

@@ -8,11 +8,13 @@ import pytest
 from engine.app.evening import Reception
 from engine.app.inputs import LEFT, ButtonPressed, CloseAsked, Input, KeyPressed
 from engine.app.lobby import Entry, change, choose, hear, open_lobby, pick
+from engine.app.lobby_table import draw_table
 from engine.app.play import play, run
 from engine.app.settings import Settings
 from engine.app.startup import Startup
 from engine.app.window import close_window, open_window
 from engine.variant.load import list_variants, load_variant
+from engine.variant.rack import lay_rack
 
 window_test = pytest.mark.xdist_group("window")
 
@@ -38,6 +40,19 @@ def carded(lobby):
 
 def test_it_opens_at_the_game_played_last(lobby):
     assert lobby.entry.name == "snooker"
+
+
+def test_a_ball_of_the_colour_of_the_cloth_is_seen_on_the_plan():
+    variant = load_variant("snooker")
+    surface = pygame.Surface((900, 500))
+    draw_table(surface, variant, (0, 0, 900, 500))
+    table, (x, y) = variant.world.table, lay_rack(variant.rack, 1)["green"]
+    scale = 900 / (table.length + 2.0 * table.rail_width)
+    left = round(450 + scale * x) - 8
+    level = round(scale * (table.width / 2.0 + table.rail_width - y))
+    row = [surface.get_at((left + step, level))[:3] for step in range(17)]
+    edge = tuple(part // 3 for part in variant.look.cloth)
+    assert row.count(edge) >= 2
 
 
 def test_typing_finds_games_by_any_word(lobby):

@@ -103,6 +103,13 @@ def test_pages_open_scroll_and_close(loop):
     assert not loop.wants_another
 
 
+def test_up_from_the_head_of_the_menu_goes_to_its_foot_and_down_comes_back(loop):
+    press(loop, "escape", "up")
+    assert loop.scroll == len(MENU) - 1
+    press(loop, "down")
+    assert loop.scroll == 0
+
+
 def test_a_page_keeps_the_keys_from_the_game(loop):
     before = loop.session
     press(loop, "f1", "left", "u", "space")

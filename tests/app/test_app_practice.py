@@ -39,6 +39,11 @@ def test_a_ball_goes_where_it_is_put_and_the_game_goes_on_from_there(start):
     assert done.match.played[0].before.rest.positions["9"] == (-0.3, 0.2)
 
 
+def test_what_was_said_before_makes_way_for_the_hint_of_arranging(start):
+    told = replace(start("nine_ball"), note="kept somewhere")
+    assert act(told, commands.Arrange()).note == ""
+
+
 def test_a_ball_is_taken_off_and_brought_back(start):
     session = act(act(start("eight_ball"), commands.Arrange()), commands.CallBall("8"))
     off = act(session, commands.TakeOff())

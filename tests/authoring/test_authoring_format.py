@@ -149,7 +149,7 @@ def test_the_command_writes_and_checks(tmp_path: Path) -> None:
     assert run(main, ["format", str(path)]).exit_code == 0
     assert path.read_bytes() == b"if cue ball pocketed: respot cue\n"
     told = run(main, ["format", "--check", str(path)])
-    assert (told.exit_code, told.output) == (0, "1 files, 0 would change\n")
+    assert (told.exit_code, told.output) == (0, "1 file, 0 would change\n")
 
 
 def test_a_broken_script_is_told_and_left_alone(tmp_path: Path) -> None:
