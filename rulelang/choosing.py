@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rulelang.closures import clear, opponent
+from rulelang.closures import clear, player_before
 from rulelang.decisions import Decisions, InHand
 from rulelang.facts import Rest, Shot
 from rulelang.judging import judge_shot
@@ -53,7 +53,7 @@ def choose(
         c.cue = program.bits[cue_ball_of(program, situation.shooter)]
         c.objects = program.ball_mask & ~c.cue
         if made is not None and made.to == "opponent":
-            c.shooter = opponent(c, situation.shooter)
+            c.shooter = player_before(c, situation.shooter)
     clear(c.memo, tuple(range(program.memo_size)))
     c.chooser = c.next_player = situation.shooter
     c.chosen = program.bits.get(ball or "", 0)

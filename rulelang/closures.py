@@ -118,6 +118,12 @@ def opponent(watch: Watch, player: int) -> int:
     return player
 
 
+def player_before(watch: Watch, player: int) -> int:
+    """Return the player whose opponent `player` is."""
+    others = range(player - 2, player - 2 - watch.players, -1)
+    return next((n for k in others if opponent(watch, n := k % watch.players + 1) == player), player)
+
+
 def leader(watch: Watch) -> int:
     """Return the player, or the first of the side, with the highest score; 0 where it is shared."""
     best = max(watch.scores)
