@@ -202,7 +202,8 @@ def _torn(reading: Reading, before: States, after: States) -> float:
 def _momentum(reading: Reading, before: States, after: States, share: float) -> float:
     """Return the worst change of momentum (kg m/s) where balls met and touched nothing else.
 
-    What the bed may take, that `share` of the balls' own changes, is not counted.
+    What the bed may take, that `share` of the balls' own changes, is not counted, nor what a ball
+    had that was slower than `STILL` and so was taken to be at rest.
     """
     log, knots = reading.trace.log, reading.knots
     at = np.searchsorted(knots, log[:, state.E_TIME])
@@ -219,6 +220,8 @@ def _momentum(reading: Reading, before: States, after: States, share: float) -> 
     bound[at[rows], log[rows, state.E_FIRST].astype(np.int64)] = True
     change = reading.masses[:, None] * (after.velocity - before.velocity)[..., :2]
     total = np.abs((change * meets[..., None]).sum(1)).max(-1)
+    stopped = meets & (after.velocity[..., :2] == 0.0).all(-1)
+    total = np.maximum(total - (reading.masses * state.STILL * stopped).sum(1), 0.0)
     if share > 0.0:
         total = np.maximum(total - share * (np.abs(change).sum(-1) * meets).sum(1), 0.0)
     return float(total[~(meets & bound).any(-1)].max(initial=0.0))

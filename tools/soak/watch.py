@@ -146,9 +146,12 @@ def record_of(stroke: Stroke, words: Sequence[str] = ()) -> str:
         on_table=frozenset(stroke.layout),
         rest=Rest(positions=stroke.layout),
     )
+    options = start_match(variant).situation.options
+    choice = options[0] if options else None
     names = asdict(variant.world.models)
     other = [name for what, name in asdict(stroke.world.models).items() if name != names[what]]
     told = f" (models {', '.join(other)})" if other else ""
+    shot = Shot(choice=choice, struck=stroke.ball, strike=stroke.strike)
     record: dict[str, object] = {
         "format": 1,
         "variant": variant.name,
@@ -156,7 +159,7 @@ def record_of(stroke: Stroke, words: Sequence[str] = ()) -> str:
         "cites": [],
         "physics": physics_hash(variant.world),
         "before": before_table(variant, situation),
-        "shot": [{**shot_table(Shot(struck=stroke.ball, strike=stroke.strike)), "expect": {}}],
+        "shot": [{**shot_table(shot), "expect": {}}],
     }
     return tomli_w.dumps(record)
 
