@@ -7,7 +7,9 @@ elsewhere.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections import Counter
+from dataclasses import dataclass, replace
+from math import ceil
 from typing import TYPE_CHECKING
 
 from engine.app.session import Mode
@@ -23,11 +25,17 @@ from engine.app.words import (
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
+    from collections.abc import Container
+
     from engine.app.session import Session
     from engine.game.situation import Situation
     from engine.table.furniture import BallId
     from engine.variant.variant import Variant
     from rulelang.facts import Call
+
+SHORT = 5.0
+"""Seconds below which the time left is shown as short."""
+MINUTE = 60
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +49,20 @@ class PlayerLine:
 
 
 @dataclass(frozen=True, slots=True)
+class TimeLine:
+    """One timer as the display shows it; `is_short` where hardly any time is left."""
+
+    name: str
+    left: str
+    is_short: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Board:
-    """All that the display says at one moment; `on` are the balls to be marked."""
+    """All that the display says at one moment; `on` are the balls to be marked.
+
+    `own_time` is the shooter's, for a shot or a turn, `time` that of the game or the match.
+    """
 
     title: str
     phase: str
@@ -52,6 +72,8 @@ class Board:
     ask: str
     note: str
     call: str
+    own_time: tuple[TimeLine, ...] = ()
+    time: tuple[TimeLine, ...] = ()
 
 
 def board_of(session: Session) -> Board:
@@ -67,12 +89,45 @@ def board_of(session: Session) -> Board:
     return Board(
         title=variant.title,
         phase=", ".join([*phase_words(now), *settings_words(now)]),
-        players=tuple(player_line(variant, now, player) for player in range(1, now.players + 1)),
+        players=_player_lines(session, now),
         on=marked,
         on_words=named_balls(variant, marked, now.on_table - {cue}),
         ask=asked(session),
         note=session.note,
         call=call_words(session.call) if before else "",
+        own_time=time_lines(session, ("shot", "turn")) if before else (),
+        time=() if now.over else time_lines(session, ("game", "match")),
+    )
+
+
+def time_lines(session: Session, units: Container[str]) -> tuple[TimeLine, ...]:
+    """Return the timers per one of `units` that still run and mean something to the referee."""
+    clock, counting = session.timing.clock, session.timing.counting or ()
+    return tuple(
+        TimeLine(spoken(name), time_words(left), left < SHORT)
+        for name, left in clock.left.items()
+        if clock.timers[name].per in units
+        and (name in counting or clock.timers[name].per in ("game", "match"))
+        and left > 0
+    )
+
+
+def time_words(seconds: float) -> str:
+    """Return seconds, rounded up, as a clock shows them; minutes where there are any."""
+    whole = ceil(seconds)
+    return f"{whole // 60}:{whole % 60:02}" if whole >= MINUTE else str(whole)
+
+
+def _player_lines(session: Session, now: Situation) -> tuple[PlayerLine, ...]:
+    """Return the players; with the games that each has won, once one is over in this match."""
+    lines = [player_line(session.variant, now, player) for player in range(1, now.players + 1)]
+    ended = [one.verdict.after for one in session.match.played if one.verdict.after.over]
+    if not (ended and now.games):
+        return tuple(lines)
+    won = Counter(one.winner for one in ended)
+    return tuple(
+        replace(line, notes=(f"games: {won[player]}", *line.notes))
+        for player, line in enumerate(lines, start=1)
     )
 
 

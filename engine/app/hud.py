@@ -16,12 +16,12 @@ from engine.app.board import board_of
 from engine.app.bottom import draw_bottom
 from engine.app.column import draw_column
 from engine.app.keymap import Keymap
-from engine.app.pen import EDGE, FAINT, GOLD, TEXT
+from engine.app.pen import BAD, EDGE, FAINT, GOLD, TEXT
 from engine.app.session import Mode
 from engine.app.words import result_words
 
 if TYPE_CHECKING:
-    from engine.app.board import Board
+    from engine.app.board import Board, TimeLine
     from engine.app.pen import Pen
     from engine.app.screen import Box
     from engine.app.session import Session
@@ -34,6 +34,10 @@ def scale_for(size: tuple[int, int], text: float) -> float:
     """Return the scale of the display for a window and the player's wish."""
     fit = min(size[0] / 1280.0, size[1] / 720.0)
     return text * min(max(fit, 0.8), 3.0)
+
+
+def _tone(time: TimeLine) -> tuple[int, int, int]:
+    return BAD if time.is_short else TEXT
 
 
 @dataclass(slots=True)
@@ -76,11 +80,28 @@ class Hud:
         corner = f"{self.keymap.shown('help')} keys   {self.keymap.shown('menu')} menu"
         edge = pen.px(14)
         third = width // 5
-        pen.write(board.title, (edge, pen.px(8)), TEXT, 21, room=third - edge)
-        pen.write(board.phase, (edge, pen.px(34)), FAINT, 15, room=third - edge)
+        rows, size = ((1, 24, 39), 13) if board.time else ((8, 34, 34), 15)
+        title, times, phase = map(pen.px, rows)
+        pen.write(board.title, (edge, title), TEXT, 21, room=third - edge)
+        self._times(board.time, (edge, times), third)
+        pen.write(board.phase, (edge, phase), FAINT, size, room=third - edge)
         self._players(board, third, width - third)
         pen.write(status, (width - edge, pen.px(12)), FAINT, 13, "right", room=third)
         pen.write(corner, (width - edge, pen.px(34)), FAINT, 13, "right", room=third)
+
+    def _times(self, times: tuple[TimeLine, ...], place: tuple[int, int], end: int) -> None:
+        """Write the time of the game between its title and its phase."""
+        left, y = place
+        for time in times:
+            words = f"{time.name} {time.left}"
+            self.pen.write(words, (left, y), _tone(time), 13, room=max(end - left, 1))
+            left += self.pen.width(words, 13) + self.pen.px(14)
+
+    def _own_times(self, times: tuple[TimeLine, ...], right: int) -> None:
+        """Write the shooter's seconds, right-bound at the end of his field."""
+        for time in times:
+            self.pen.write(time.left, (right, self.pen.px(7)), _tone(time), 26, "right")
+            right -= self.pen.width(time.left, 26) + self.pen.px(10)
 
     def _players(self, board: Board, left: int, right: int) -> None:
         pen = self.pen
@@ -93,6 +114,7 @@ class Hud:
                 box = (x + pen.px(6), pen.px(5), room - pen.px(12), pen.px(TOP - 11))
                 pygame.draw.rect(pen.surface, (48, 44, 30), box, border_radius=pen.px(5))
                 pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=pen.px(5))
+                self._own_times(board.own_time, x + room - pen.px(14))
             colour = TEXT if player.is_shooting else FAINT
             name = pen.width(player.name, 16) + pen.px(12) + pen.width(player.score, 22)
             start = middle - name // 2

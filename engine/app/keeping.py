@@ -11,7 +11,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from engine.app.arranging import load_layout, save_layout
-from engine.records.journal import Journal
+from engine.records.journal import Journal, entries_of
 from engine.records.write import save_shot_record
 
 if TYPE_CHECKING:
@@ -50,10 +50,10 @@ class Keeper:
             self.path = _later(self.path)
             self._journal = Journal.begin(self.path, match)
             return
-        for _ in known.played[shared:]:
+        for _ in entries_of(known)[shared:]:
             self._journal.undo()
-        for played in match.played[shared:]:
-            self._journal.append(played)
+        for entry in entries_of(match)[shared:]:
+            self._journal.append(entry)
 
     def save_shot(self, match: Match) -> str:
         """Save the last shot as a record; return what to tell the player."""
@@ -96,10 +96,10 @@ def _shown(path: Path) -> str:
 
 
 def _shared(one: Match, two: Match) -> int | None:
-    """Return how many shots two states of a match share; None where they are not the same."""
+    """Return how many entries two states of a match share; None where they are not the same."""
     count = 0
-    for a, b in zip(one.played, two.played, strict=False):
-        if a is not b:
+    for a, b in zip(entries_of(one), entries_of(two), strict=False):
+        if a is not b and not (isinstance(a, int) and a == b):
             break
         count += 1
     if count == 0 and one.played and two.played:

@@ -102,7 +102,7 @@ class Loop:
             self._look_at_files()
             self._take(events, seconds)
             before = self.session
-            self._set(pass_time(before, seconds))
+            self._set(pass_time(before, seconds, at_table=self.page is None))
             self.speaker.follow(before, self.session)
             self.draw()
         self.window.show()

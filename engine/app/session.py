@@ -17,6 +17,7 @@ from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import ball_to_strike
 
 if TYPE_CHECKING:
+    from engine.app.timing import Timing
     from engine.game.match import Match, Played
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
@@ -67,7 +68,7 @@ class Session:
     hand is held. `trace` is the last stroke's, shown up to `clock`
     (s, below zero while the cue comes forward), `pace` times as fast as it was; `back_to` is
     where a replay leads back to. `note` is said to the player, `trouble` is the script's, `later`
-    holds what was undone.
+    holds what was undone. `timing` is the time left on the timers of the script.
     """
 
     match: Match
@@ -75,6 +76,7 @@ class Session:
     ahead: Situation
     admission: Admission
     stroke: Stroke
+    timing: Timing
     choice: str | None = None
     picked: int = 0
     struck: BallId | None = None

@@ -16,8 +16,18 @@ from engine.app.arranging import arranged_match, with_ball, without_ball
 from engine.app.choices import choosable_balls
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
 from engine.app.stroke import Stroke, heading_to, stroke_of
+from engine.app.timing import (
+    counting_of,
+    run_down,
+    timed_anew,
+    timed_back,
+    timed_on,
+    timed_out,
+    timing_of,
+)
 from engine.app.trouble import ScriptTrouble, told
 from engine.game.match import advance, rejudge, start_match, undo
+from engine.game.match import next_game as game_after
 from engine.game.observe import observe, simulate_shot
 from engine.game.placing import refuse_place
 from engine.game.referee import judge_shot, look_ahead, take_choice
@@ -26,16 +36,23 @@ from engine.game.sight import View, first_met
 from engine.table.furniture import BallId
 
 if TYPE_CHECKING:
+    from engine.app.timing import Timing
     from engine.game.match import Match
     from engine.game.situation import Situation
     from engine.variant.variant import Variant
     from rulelang.facts import Call
 
 
-def begin(match: Match, stroke: Stroke = Stroke(), aid: Aid = Aid.GHOST) -> Session:  # noqa: B008
-    """Return the session of a match at the shot it has come to."""
+def begin(
+    match: Match,
+    stroke: Stroke = Stroke(),  # noqa: B008
+    aid: Aid = Aid.GHOST,
+    timing: Timing | None = None,
+) -> Session:
+    """Return the session of a match at the shot it has come to; all its time is left by default."""
     ahead = match.situation
-    fresh = Session(match, Mode.AIMING, ahead, look_ahead(match.variant, ahead), stroke, aid=aid)
+    admission, timing = look_ahead(match.variant, ahead), timing or timing_of(match)
+    fresh = Session(match, Mode.AIMING, ahead, admission, stroke, timing, aid=aid)
     if ahead.over:
         return replace(fresh, mode=Mode.OVER)
     if ahead.offers:
@@ -185,7 +202,8 @@ def _take(session: Session, option: str) -> Session:
         ahead = replace(after, offers=())
         return _prepare(replace(session, choice=option, call=call, ahead=ahead, note=""))
     match = advance(session.match, shot, chosen)
-    begun = begin(match, session.stroke, session.aid)
+    timing = timed_on(session.timing, match)
+    begun = begin(match, session.stroke, session.aid, timing)
     return replace(begun, trace=session.trace, note=f"chosen: {option.replace('-', ' ')}")
 
 
@@ -300,22 +318,25 @@ def _accept_call(session: Session) -> Session:
 
 def begin_next(session: Session) -> Session:
     """Return the session before the next shot."""
-    after = begin(session.match, session.stroke, session.aid)
+    after = begin(session.match, session.stroke, session.aid, session.timing)
     return replace(after, later=session.later, trace=session.trace)
 
 
 def _strike(session: Session) -> Session:
     """Return the session with the shot played, judged, entered, and about to be seen."""
-    variant, situation, shot = session.variant, session.match.situation, session.shot
+    variant, situation = session.variant, session.match.situation
+    shot = replace(session.shot, facts=dict.fromkeys(session.timing.ran_out, True))
     refusal = _refusal(session)
     if refusal:
         return replace(session, note=refusal)
     trace = simulate_shot(variant, session.ahead, shot)
     seen = observe(variant, session.ahead, shot, trace)
     verdict = judge_shot(variant, situation, seen)
+    match = advance(session.match, seen, verdict)
     return replace(
         session,
-        match=advance(session.match, seen, verdict),
+        match=match,
+        timing=timed_on(session.timing, match),
         mode=Mode.STRIKING,
         trace=trace,
         clock=-SWING,
@@ -338,8 +359,48 @@ def _refusal(session: Session) -> str:
     return f"{refused.reason}: {refused.mend}" if refused else ""
 
 
-def pass_time(session: Session, seconds: float) -> Session:
-    """Return the session `seconds` of the player's time later; only the showing moves."""
+def pass_time(session: Session, seconds: float, *, at_table: bool = True) -> Session:
+    """Return the session `seconds` of the player's time later.
+
+    The showing moves and the timers run, those of a shot or a turn only while the shooter is
+    `at_table`.
+    """
+    shown = _show(session, seconds)
+    playing = shown.mode not in (Mode.OVER, Mode.ARRANGING) and not shown.match.situation.over
+    if not shown.timing.clock.timers or not playing:
+        return shown
+    ready = at_table and shown.mode in BEFORE_STROKE
+    units = ("shot", "turn", "game", "match") if ready else ("game", "match")
+    timed = replace(shown, timing=run_down(shown.timing, seconds, units))
+    return _watch_time(timed) if ready else timed
+
+
+def _watch_time(session: Session) -> Session:
+    """Return the session in which the referee speaks where a timer that counts ran out."""
+    timing = session.timing
+    try:
+        if timing.counting is None:
+            timing = replace(timing, counting=counting_of(session))
+        if timing.counting and timing.counting.intersection(timing.ran_out):
+            return _time_out(session)
+    except ScriptTrouble as trouble:
+        timing = replace(timing, counting=frozenset())
+        return replace(session, timing=timing, trouble=told(trouble, session.variant))
+    return replace(session, timing=timing)
+
+
+def _time_out(session: Session) -> Session:
+    """Return the session after a stroke that was not played in time."""
+    shot = timed_out(session, session.timing.ran_out)
+    verdict = judge_shot(session.variant, session.match.situation, shot)
+    match = advance(session.match, shot, verdict)
+    timing = timed_on(session.timing, match)
+    ended = begin(match, session.stroke, session.aid, timing)
+    return replace(ended, mode=Mode.VERDICT, note="time is up", later=())
+
+
+def _show(session: Session, seconds: float) -> Session:
+    """Return the session in which the showing has moved on."""
     if session.mode not in SHOWING or session.trace is None:
         return session
     clock = session.clock + seconds * session.pace
@@ -436,7 +497,7 @@ def _repeat(session: Session) -> Session:
     later = match
     while match.played and match.played[-1] is not last:
         match = undo(match)
-    back = begin(undo(match), session.stroke, session.aid)
+    back = _back_at(session, undo(match))
     if back.mode is Mode.CHOOSING and last.shot.choice is not None:
         back = _take(back, last.shot.choice)
     if back.mode not in BEFORE_STROKE:
@@ -451,7 +512,7 @@ def _repeat(session: Session) -> Session:
 def _undo(session: Session) -> Session:
     if not session.match.played:
         return replace(session, note="there is no shot to take back")
-    back = begin(undo(session.match), session.stroke, session.aid)
+    back = _back_at(session, undo(session.match))
     return replace(back, later=(session.match, *session.later), note="the last shot is taken back")
 
 
@@ -459,7 +520,12 @@ def _redo(session: Session) -> Session:
     if not session.later or session.mode in SHOWING:
         return replace(session, note="there is no shot to play again")
     match, *rest = session.later
-    return replace(begin(match, session.stroke, session.aid), later=tuple(rest))
+    return replace(_back_at(session, match), later=tuple(rest))
+
+
+def _back_at(session: Session, match: Match) -> Session:
+    """Return the session at a moment of its match where it was before."""
+    return begin(match, session.stroke, session.aid, timed_back(session.timing, match))
 
 
 def take_up(session: Session, variant: Variant) -> Session:
@@ -469,7 +535,7 @@ def take_up(session: Session, variant: Variant) -> Session:
     """
     try:
         match = rejudge(session.match, variant)
-        again = begin(match, session.stroke, session.aid)
+        again = begin(match, session.stroke, session.aid, timed_anew(session.timing, match))
     except ScriptTrouble as trouble:
         return replace(session, trouble=told(trouble, variant))
     except ValueError as trouble:
@@ -478,9 +544,13 @@ def take_up(session: Session, variant: Variant) -> Session:
 
 
 def next_game(session: Session) -> Session:
-    """Return the session of another game with the same players and settings."""
+    """Return the session of the next game of the match, or of a new match where it is over."""
     if session.mode is not Mode.OVER:
         return session
     old = session.match
+    if not old.situation.match_over:
+        again = game_after(old)
+        timing = timed_anew(session.timing, again)
+        return begin(again, session.stroke, session.aid, timing)
     again = start_match(session.variant, old.situation.players, old.settings, seed=old.seed + 1)
     return begin(again, session.stroke, session.aid)

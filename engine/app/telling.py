@@ -29,6 +29,9 @@ def verdict_lines(variant: Variant, played: Played) -> list[Line]:
         lines = [Line(f"Chosen: {spoken(played.shot.choice or '')}", "good")]
     else:
         lines = _fouls(verdict) or [Line("No foul", "good")]
+    timers = variant.program.timers
+    ran_out = [name for name, told in played.shot.facts.items() if told and name in timers]
+    lines += [Line(capital(f"{spoken(name)} ran out")) for name in ran_out]
     lines += _happened(variant, verdict)
     for player, points in enumerate(verdict.points, start=1):
         if points:

@@ -24,6 +24,7 @@ from engine.game.verdict import Verdict
 from engine.table.furniture import BallId, ZoneId
 from rulelang import facts as said
 from rulelang.evaluate import Admission, admit, choose, judge
+from rulelang.events import StrokeOmitted
 
 if TYPE_CHECKING:
     from engine.game.shot import Shot
@@ -109,7 +110,8 @@ def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain
     decided = judge(variant.program, seen, told, explain=explain)
     board = Board(rest, before.on_table - down)
     board = carry_out(variant, board, decided.table, decided.homes, before)
-    after = _follow(variant, before, decided, board, in_hand=None)
+    unplayed = any(isinstance(event, StrokeOmitted) for event in events)
+    after = _follow(variant, before, decided, board, before.in_hand if unplayed else None)
     after = replace(after, judged=Judged(seen, told, _forget(before)))
     verdict = _verdict(decided, board, after, explain=explain)
     return replace(verdict, events=events)

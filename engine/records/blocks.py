@@ -12,6 +12,7 @@ import re
 KEPT = "# kept"
 UNDONE = "# undone"
 TORN = "# torn"
+_BEGUN = re.compile(r"^# game begun by ([1-9]\d*)\n$")
 _SEED = re.compile(r"^# seed (-?\d+)$", re.MULTILINE)
 
 Block = tuple[int, int]
@@ -29,6 +30,24 @@ def seed_of(text: str) -> int:
     return int(found[1]) if found else 0
 
 
+def begun_line(breaker: int) -> str:
+    """Return the line that tells of the match's next game, and who breaks."""
+    return f"# game begun by {breaker}"
+
+
+def games_begun(text: str) -> list[tuple[int, int]]:
+    """Return the games that follow the first in a journal: the shots before each, the breaker."""
+    lines = text.splitlines(keepends=True)
+    found, shots = [], -1
+    for _, end in _blocks(lines):
+        begun = _BEGUN.match(lines[end])
+        if begun:
+            found.append((shots, int(begun[1])))
+        else:
+            shots += 1
+    return found
+
+
 def standing(text: str) -> str:
     """Return a journal's text without shots taken back and without an incomplete one at its end.
 
@@ -43,11 +62,11 @@ def standing(text: str) -> str:
 
 
 def _blocks(lines: list[str]) -> list[Block]:
-    """Return the blocks that stand: the head, then a block for each shot."""
+    """Return the blocks that stand: the head, then one for each shot and each later game."""
     blocks: list[Block] = []
     start = 0
     for number, line in enumerate(lines):
-        if line == f"{KEPT}\n":
+        if line == f"{KEPT}\n" or _BEGUN.match(line):
             blocks.append((start, number))
             start = number + 1
         elif line == f"{UNDONE}\n":
@@ -61,4 +80,4 @@ def _blocks(lines: list[str]) -> list[Block]:
 def is_torn(text: str) -> bool:
     """Return whether a journal ends within a block."""
     last = text.rpartition("\n")[0].rpartition("\n")[2] if text.endswith("\n") else text
-    return bool(text) and last not in {KEPT, UNDONE, TORN}
+    return bool(text) and last not in {KEPT, UNDONE, TORN} and not _BEGUN.match(f"{last}\n")

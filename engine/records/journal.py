@@ -13,9 +13,18 @@ from typing import TYPE_CHECKING
 
 import tomli_w
 
-from engine.game.match import Match, advance
+from engine.game.match import Match, Played, advance, next_game
 from engine.game.referee import judge_shot
-from engine.records.blocks import KEPT, TORN, UNDONE, is_torn, seed_line, standing
+from engine.records.blocks import (
+    KEPT,
+    TORN,
+    UNDONE,
+    begun_line,
+    games_begun,
+    is_torn,
+    seed_line,
+    standing,
+)
 from engine.records.read import read_record_text
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
@@ -23,10 +32,25 @@ from engine.records.write import before_table, shot_table
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from engine.game.match import Played
     from engine.records.read import Load
 
 EMPTY_SHOT = '\n[[shot]]\nchoose = "play"\n[shot.expect]\n'
+
+
+Entry = Played | int
+"""What a journal tells: a shot, or that the next game was begun by a player."""
+
+
+def entries_of(match: Match) -> list[Entry]:
+    """Return the shots of a match, and who began each game after its first."""
+    entries: list[Entry] = []
+    games = match.played[0].before.games if match.played else match.situation.games
+    for played in match.played:
+        if played.before.games > games:
+            entries.append(played.before.breaker)
+        games = played.before.games
+        entries.append(played)
+    return [*entries, match.situation.breaker] if match.situation.games > games else entries
 
 
 class Journal:
@@ -50,8 +74,8 @@ class Journal:
         }
         text = f"{seed_line(match.seed)}{tomli_w.dumps(head)}{KEPT}\n"
         path.write_text(text, encoding="utf-8")
-        for played in match.played:
-            journal.append(played)
+        for entry in entries_of(match):
+            journal.append(entry)
         return journal
 
     @classmethod
@@ -62,14 +86,17 @@ class Journal:
             journal.write_line(TORN)
         return journal
 
-    def append(self, played: Played) -> None:
-        """Add one shot with its verdict and flush it to the disk."""
+    def append(self, played: Entry) -> None:
+        """Add one shot with its verdict, or the start of a game, and flush it to the disk."""
+        if isinstance(played, int):
+            self.write_line(begun_line(played))
+            return
         expect = expectation(played.verdict, played.before)
         block = tomli_w.dumps({"shot": [{**shot_table(played.shot), "expect": expect}]})
         self._write(f"\n{block}{KEPT}\n")
 
     def undo(self) -> None:
-        """Note that the last shot was taken back."""
+        """Note that the last shot, or the start of the last game, was taken back."""
         self.write_line(UNDONE)
 
     def write_line(self, line: str) -> None:
@@ -95,7 +122,11 @@ def resume(path: Path, load: Load) -> Match:
     record = read_record_text(text + empty, path, load)
     start = record.start
     match = Match(record.variant, start.seed, start.settings, start)
-    for step in () if empty else record.steps:
+    breakers = dict(games_begun(text))
+    for shots, step in enumerate(() if empty else record.steps):
+        if shots in breakers:
+            match = next_game(match, breakers[shots])
         verdict = judge_shot(match.variant, match.situation, step.shot)
         match = advance(match, step.shot, verdict)
-    return match
+    last = len(match.played)
+    return next_game(match, breakers[last]) if last in breakers else match

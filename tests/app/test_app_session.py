@@ -249,15 +249,18 @@ def test_power_cannot_exceed_an_arm(start):
     assert do(start("three_cushion"), commands.SetSpeed(1e9)).stroke.speed == FASTEST
 
 
-def test_the_next_game_has_the_same_players_and_settings(start):
+@pytest.mark.parametrize("match_over", [False, True])
+def test_the_next_game_has_the_same_players_and_settings(start, match_over):
     session = start("three_cushion", target=5)
-    over = replace(session.match.situation, winner=1)
+    over = replace(session.match.situation, winner=1, match_over=match_over)
     session = begin(replace(session.match, situation=over))
     assert session.mode is Mode.OVER
     again = do(session, commands.NextGame())
     assert again.mode is not Mode.OVER
     assert again.match.settings == session.match.settings
-    assert again.match.seed == session.match.seed + 1
+    assert again.match.seed == session.match.seed + (1 if match_over else 0)
+    assert again.match.situation.games == (0 if match_over else 1)
+    assert again.match.situation.shooter == (1 if match_over else 2)
 
 
 def test_the_same_commands_give_the_same_match(start):
