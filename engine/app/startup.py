@@ -73,6 +73,7 @@ class Startup:
         self.saying, self.share, self.playable = "", 1.0, True
         for name in rest:
             self._warm(name, 1.0, 1.0)
+        self.saying = ""
 
     def _later(self, name: str) -> bool:
         return name != self.wanted

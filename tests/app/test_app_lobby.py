@@ -55,6 +55,13 @@ def test_a_ball_of_the_colour_of_the_cloth_is_seen_on_the_plan():
     assert row.count(edge) >= 2
 
 
+def test_nothing_is_being_prepared_when_all_is_ready(monkeypatch):
+    monkeypatch.setattr(Startup, "_warm", lambda self, name, *_: setattr(self, "saying", name))
+    startup = Startup("scanline")
+    startup._prepare()
+    assert startup.saying == ""
+
+
 def test_typing_finds_games_by_any_word(lobby):
     found = keyed(lobby, *"cush")
     assert [one.name for one in found.shown] == ["one_cushion", "three_cushion"]
