@@ -93,7 +93,7 @@ def test_17_spin_drives_a_slow_ball_into_the_rail_ever_more_gently_and_it_ends(o
 
 def joints(table):
     """Places of all ends of cushions and jaws."""
-    from engine.physics.pack import _end, _start
+    from engine.physics.noses import _end, _start
 
     shapes = [s for c in table.cushions for s in c.shapes]
     shapes += [s for j in table.jaws for s in j.shapes]

@@ -63,10 +63,10 @@ def codes(path):
 def test_a_hostile_file_is_answered_at_once(tmp_path, raw, code):
     path = tmp_path / "hostile.toml"
     path.write_bytes(raw)
-    begin = time.perf_counter()
+    begin = time.process_time()
     found = codes(path)
     assert code in found
-    assert time.perf_counter() - begin < 5
+    assert time.process_time() - begin < 5
 
 
 def test_a_byte_that_is_not_text_is_told_by_line_and_column(tmp_path):
