@@ -64,7 +64,7 @@ def rows_of(page: Page, session: Session, keymap: Keymap) -> list[Row]:
 
 def _why(session: Session) -> list[Row]:
     """Return how every rule fared in the stroke that was judged last."""
-    last = session.last_stroke
+    last = session.last_judged
     if last is None:
         return [Row(line) for line in explanation_lines(())]
     number = session.match.played.index(last) + 1

@@ -40,7 +40,7 @@ def _offered(session: Session) -> list[tuple[str, str]]:
     wanted = session.wanted
     undo = ("Undo" if session.match.played else "", "undo")
     redo = ("Redo" if session.later else "", "redo")
-    why = ("Why" if session.last_stroke else "", "why")
+    why = ("Why" if session.last_judged else "", "why")
     match session.mode:
         case Mode.CHOOSING:
             ball = ("Ball" if session.choosable else "", "ball")

@@ -110,6 +110,12 @@ class Session:
         return next(strokes, None)
 
     @property
+    def last_judged(self) -> Played | None:
+        """The shot judged last that was more than a choice, a stroke left out as well."""
+        judged = (one for one in reversed(self.match.played) if not one.shot.is_only_choice)
+        return next(judged, None)
+
+    @property
     def verdict(self) -> Verdict | None:
         """What the referee said last."""
         return self.last.verdict if self.last else None

@@ -20,7 +20,6 @@ from engine.records.blocks import (
     TORN,
     UNDONE,
     begun_line,
-    games_begun,
     is_torn,
     seed_line,
     standing,
@@ -122,7 +121,7 @@ def resume(path: Path, load: Load) -> Match:
     record = read_record_text(text + empty, path, load)
     start = record.start
     match = Match(record.variant, start.seed, start.settings, start)
-    breakers = dict(games_begun(text))
+    breakers = record.begun
     for shots, step in enumerate(() if empty else record.steps):
         if shots in breakers:
             match = next_game(match, breakers[shots])

@@ -7,11 +7,12 @@ every name by the variant's own vocabulary. No record is half used.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
-from engine.records.blocks import seed_of, standing
+from engine.records.blocks import games_begun, seed_of, standing
 from engine.records.build import build_record
 from engine.records.record import Record, RecordError
 from engine.records.spec import RecordSpec
@@ -48,7 +49,7 @@ def read_record_text(text: str, path: Path, load: Load) -> Record:
     if variant is not None:
         record = build_record(path, spec, variant, report, seed_of(text))
         if record is not None:
-            return record
+            return replace(record, begun=dict(games_begun(text)))
     raise RecordError(tuple(report.diagnostics))
 
 

@@ -5,10 +5,11 @@ One idea: a record is a start situation, shots, and for each what the referee mu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from engine.game.shot import Shot
@@ -29,7 +30,10 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A record, checked against its variant; `physics` is the hash it was played with."""
+    """A record, checked against its variant; `physics` is the hash it was played with.
+
+    `begun` tells of the later games of a journal: who breaks, by the number of shots before.
+    """
 
     path: Path
     title: str
@@ -39,6 +43,7 @@ class Record:
     steps: tuple[Step, ...]
     physics: str | None
     source: Node
+    begun: Mapping[int, int] = field(default_factory=dict)
 
 
 class RecordError(Exception):

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from math import hypot
 from typing import TYPE_CHECKING
 
+from engine.game.match import Match, next_game
 from engine.game.phrases import format_event, without_time
 from engine.game.referee import judge_shot, offer_taken
 from engine.records.compare import WITHIN, Difference, compare
@@ -63,6 +64,8 @@ def run_record(record: Record, *, replay: bool = True) -> Outcome:
     differences: list[Difference] = []
     replayed: bool | None = None
     for number, step in enumerate(record.steps, 1):
+        if number - 1 in record.begun:
+            situation = _next_game(record, situation, record.begun[number - 1])
         _check_playable(record, situation, step.shot, number)
         shot, played, strays = _played(record, situation, step.shot, number, replay=replay)
         replayed = played if replayed is None else (replayed and played is not False)
@@ -71,6 +74,11 @@ def run_record(record: Record, *, replay: bool = True) -> Outcome:
         differences += [*strays, *compare(number, step.expect, verdict, situation)]
         situation = verdict.after
     return Outcome(record, tuple(judged), tuple(differences), replayed)
+
+
+def _next_game(record: Record, over: Situation, breaker: int) -> Situation:
+    match = Match(record.variant, record.start.seed, record.start.settings, over)
+    return next_game(match, breaker).situation
 
 
 def _judged(record: Record, situation: Situation, shot: Shot, number: int) -> Verdict:

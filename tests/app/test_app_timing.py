@@ -116,6 +116,7 @@ def test_a_time_out_is_explained_and_resumed(start, tmp_path):
     keeper.follow(session.match)
     said = [line.text for line in verdict_lines(session.variant, session.last)]
     assert "Shot clock ran out" in said
+    assert session.last_judged is session.last
     kept = resume(keeper.path, load_variant)
     assert kept.played[-1].shot == session.last.shot
     assert replace(kept.situation, judged=None) == replace(session.match.situation, judged=None)
@@ -165,6 +166,7 @@ def test_games_in_a_row_are_one_journal(start, tmp_path):
     session = pass_time(ready(session), 15.5)
     keeper.follow(session.match)
     assert kept().played[-1].before.games == 1
+    assert run_record(read_record(keeper.path, load_variant)).passed
     assert any("games: 1" in line.notes for line in board_of(session).players)
     assert [path.name for path in tmp_path.iterdir()] == ["journal.toml"]
     for _ in range(2):
