@@ -63,13 +63,15 @@ class Lobby:
 
     @property
     def shown(self) -> tuple[Entry, ...]:
-        """The games whose name or title holds every word typed."""
-        words = self.typed.lower().replace("-", " ").split()
-        return tuple(
+        """The games whose name or title holds every word typed; first those that begin so."""
+        words = _plain(self.typed).split()
+        found = [
             one
             for one in self.entries
-            if all(word in f"{one.title} {one.name}".lower().replace("-", " ") for word in words)
-        )
+            if all(word in _plain(f"{one.title} {one.name}") for word in words)
+        ]
+        sought = " ".join(words)
+        return tuple(sorted(found, key=lambda one: not _plain(one.title).startswith(sought)))
 
     @property
     def entry(self) -> Entry | None:
@@ -96,6 +98,10 @@ class Lobby:
         if row == "players":
             return self.players or self.card.players[2]
         return self.settings.get(row, self.card.settings[row].default)
+
+
+def _plain(text: str) -> str:
+    return text.lower().replace("-", " ")
 
 
 def hear(lobby: Lobby, hands: Input) -> Lobby:

@@ -56,7 +56,11 @@ def simulate_batch(
         raise ValueError("a batch needs at least one worker; -1 means one a core")
     if workers == 1 or not shots:
         return _play(world, shots, keep)
-    from joblib import Parallel, delayed, effective_n_jobs  # noqa: PLC0415  an extra
+    try:
+        from joblib import Parallel, delayed, effective_n_jobs  # noqa: PLC0415  an extra
+    except ModuleNotFoundError as missing:
+        message = "several workers need joblib: pip install '.[batch]', or ask for 1 worker"
+        raise ModuleNotFoundError(message, name=missing.name) from missing
 
     size = max(1, -(-len(shots) // (HELPINGS * effective_n_jobs(workers))))
     runs = [shots[first : first + size] for first in range(0, len(shots), size)]

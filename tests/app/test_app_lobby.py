@@ -69,6 +69,12 @@ def test_typing_finds_games_by_any_word(lobby):
     assert keyed(found, "escape").shown == lobby.entries
 
 
+def test_a_game_that_is_called_just_so_comes_first():
+    entries = [Entry("american_snooker", "American snooker"), Entry("snooker", "Snooker")]
+    lobby = keyed(open_lobby(entries), *"snooker")
+    assert [one.name for one in lobby.shown] == ["snooker", "american_snooker"]
+
+
 def test_a_word_that_no_game_has_leaves_none_to_play(lobby):
     none = keyed(lobby, *"xyz", "return")
     assert none.entry is None
