@@ -19,12 +19,13 @@ from engine.app.inputs import CloseAsked, Input
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import Pen
+from engine.app.practising import lay
 from engine.app.screen import Screen
 from engine.app.session import SHOWING, Mode
 from engine.app.showing import Showing
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
-from engine.app.steps import act, lay, pass_time, take_up
+from engine.app.steps import act, pass_time, take_up
 from engine.app.view import View, camera_of, stroke_seen
 from engine.app.wishes import Ask
 from engine.stage.stage import build_stage

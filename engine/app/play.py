@@ -260,6 +260,7 @@ def _receive(
 
 def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Startup) -> Loop:
     """Return the loop of a match in a window that is open, its preparation begun."""
+    from engine.app.before import begin  # noqa: PLC0415
     from engine.app.controls import Controls  # noqa: PLC0415  the window comes before the rest
     from engine.app.keeping import Keeper  # noqa: PLC0415
     from engine.app.keyboard import Keyboard  # noqa: PLC0415
@@ -267,7 +268,6 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
     from engine.app.speaker import LOUD, Speaker  # noqa: PLC0415
-    from engine.app.steps import begin  # noqa: PLC0415
     from engine.app.watching import watch_variant  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
 

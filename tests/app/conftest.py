@@ -7,8 +7,8 @@ from functools import cache
 
 import pytest
 
+from engine.app.before import begin
 from engine.app.session import Session
-from engine.app.steps import begin
 from engine.game.match import start_match
 from engine.variant.load import load_variant
 

@@ -6,6 +6,7 @@ from math import atan2, hypot
 import pytest
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.controls import Controls
 from engine.app.inputs import (
     ButtonPressed,
@@ -18,7 +19,7 @@ from engine.app.inputs import (
 )
 from engine.app.screen import Screen
 from engine.app.session import Mode
-from engine.app.steps import act, begin
+from engine.app.steps import act
 from engine.app.stroke import FASTEST
 from engine.app.view import View, camera_of
 from engine.app.wishes import Ask

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from engine.app import commands
 from engine.app.arranging import LayoutError, load_layout, save_layout, with_ball
 from engine.app.keeping import Keeper
+from engine.app.practising import lay
 from engine.app.session import Mode
-from engine.app.steps import act, lay
+from engine.app.steps import act
 from engine.game.match import start_match
 from engine.table.region import has_room
 from engine.variant.load import load_variant

@@ -4,8 +4,9 @@ from math import cos, hypot, sin
 import pytest
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.session import Aid, Mode
-from engine.app.steps import act, begin, pass_time
+from engine.app.steps import act, pass_time
 from engine.app.stroke import FASTEST
 from engine.game.match import start_match
 from engine.game.placing import refuse_place

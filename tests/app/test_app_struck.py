@@ -3,11 +3,12 @@ from dataclasses import replace
 import pytest
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.choices import choice_words
 from engine.app.keymap import Keymap
 from engine.app.prompts import buttons_of, hint_of
 from engine.app.session import Mode
-from engine.app.steps import act, begin
+from engine.app.steps import act
 from engine.game.match import advance, start_match
 from engine.game.observe import observe, simulate_shot
 from engine.game.referee import judge_shot

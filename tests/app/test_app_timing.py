@@ -3,10 +3,11 @@
 from dataclasses import replace
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.board import board_of
 from engine.app.keeping import Keeper
 from engine.app.session import Mode
-from engine.app.steps import act, begin, pass_time
+from engine.app.steps import act, pass_time
 from engine.app.telling import verdict_lines
 from engine.app.timing import run_down
 from engine.records.journal import resume

@@ -6,10 +6,11 @@ from textwrap import dedent
 import pytest
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.choices import choice_words
 from engine.app.play import play
 from engine.app.session import Mode
-from engine.app.steps import act, begin
+from engine.app.steps import act
 from engine.game.match import start_match
 from engine.variant.load import load_variant
 

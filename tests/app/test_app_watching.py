@@ -7,12 +7,13 @@ from dataclasses import replace
 import pytest
 
 from engine.app import commands
+from engine.app.before import begin
 from engine.app.keeping import Keeper
 from engine.app.loop import Loop
 from engine.app.session import Mode
 from engine.app.showing import Showing
 from engine.app.startup import Startup
-from engine.app.steps import act, begin
+from engine.app.steps import act
 from engine.app.watching import watch_variant
 from engine.app.window import close_window, open_window
 from engine.game.match import start_match

@@ -21,13 +21,13 @@ def strokes(n):
     return [*mixed, (BREAK, "b0", Strike(7.0, 0.01))]
 
 
-@pytest.mark.parametrize("workers", [1, 2])
 def test_without_joblib_it_is_said_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "joblib", None)
     with pytest.raises(ModuleNotFoundError, match="batch"):
         simulate_batch(None, [({}, "cue", None)], workers=2)
 
 
+@pytest.mark.parametrize("workers", [1, 2])
 def test_a_batch_has_the_bits_of_its_shots(workers):
     world, shots = make_world(16, pockets=True), strokes(12)
     together = simulate_batch(world, shots, workers=workers)
