@@ -121,7 +121,9 @@ def opponent(watch: Watch, player: int) -> int:
 def player_before(watch: Watch, player: int) -> int:
     """Return the player whose opponent `player` is."""
     others = range(player - 2, player - 2 - watch.players, -1)
-    return next((n for k in others if opponent(watch, n := k % watch.players + 1) == player), player)
+    return next(
+        (n for k in others if opponent(watch, n := k % watch.players + 1) == player), player
+    )
 
 
 def leader(watch: Watch) -> int:
