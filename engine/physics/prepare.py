@@ -110,27 +110,27 @@ def _types() -> tuple[Any, ...]:
 
 
 def _foreseeing() -> Iterator[tuple[Any, tuple[Any, ...]]]:
-    """Yield the kernels that say what comes next, and those of noses, with their arguments."""
-    from engine.physics.foresee import foresee  # noqa: PLC0415  numba
+    """Yield the kernels that say what comes next, of noses, and the lesser ones, with arguments."""
+    from engine.physics.foresee import foresee, next_event  # noqa: PLC0415  numba
     from engine.physics.rebound import meet_nose  # noqa: PLC0415  numba
+    from engine.physics.record import arrange  # noqa: PLC0415  numba
 
     number, count, row, table, counts = _types()
     yield foresee, (table, counts, table, table, table, table, count, number, row)
     yield meet_nose, (row, row, row, number, number)
+    yield next_event, (table, counts, table)
+    yield arrange, (table, counts, table, counts, number, table)
 
 
 def _meeting() -> Iterator[tuple[Any, tuple[Any, ...]]]:
-    """Yield the kernels of balls that meet, and the lesser ones."""
-    from engine.physics.foresee import next_event  # noqa: PLC0415  numba
-    from engine.physics.record import arrange, change  # noqa: PLC0415  numba
+    """Yield the kernels of balls that meet or change their motion."""
+    from engine.physics.record import change  # noqa: PLC0415  numba
     from engine.physics.stepwise import meet_balls  # noqa: PLC0415  numba
 
     number, count, row, table, counts = _types()
     written = (table, table, counts)
     yield meet_balls, (table, counts, row, *written, counts, table, count, count, number)
-    yield next_event, (table, counts, table)
     yield change, (table, counts, row, table, table, counts, count)
-    yield arrange, (table, counts, table, counts, number, table)
 
 
 def _flying() -> Iterator[tuple[Any, tuple[Any, ...]]]:
