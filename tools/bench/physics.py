@@ -201,9 +201,9 @@ def _starts(peer: str | None, work: Work) -> Iterator[Row]:
     """Yield the rows of processes: the first on a machine, later ones, and what they hold."""
     told = measure_starts()
     theirs = first_shot(peer, work) if peer else None
-    row = _blank("first shot of all, start to result, compiling")
-    row["median_ms"] = round(1000.0 * told.first.processor)
-    yield row | _goal(told.first.processor, 8.0, "s") | _beside(theirs, 0, told.first)
+    row = _blank("first shot of all, start to result, compiling, by the clock")
+    row["median_ms"] = round(1000.0 * told.first.clock)
+    yield row | _goal(told.first.clock, 8.0, "s") | _beside(theirs, 0, told.first)
     row = _blank("an empty cached kernel, start to result")
     yield row | {"median_ms": round(1000.0 * told.empty.processor)}
     row = _blank("a later process, start to result")
