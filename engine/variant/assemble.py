@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     from engine.physics.world import Ball
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import BallShape, DropShape, SettingShape, TableShape, VariantSpec
+    from engine.variant.spec import BallShape, SettingShape, VariantSpec
+    from engine.variant.table_spec import DropShape, TableShape
     from engine.variant.variant import BallKind, PinKind, Rack
 
 

@@ -15,7 +15,7 @@ from engine.variant.report import nearest
 if TYPE_CHECKING:
     from engine.table.furniture import Rubber, Table
     from engine.variant.report import Report
-    from engine.variant.spec import CushionShape, TableShape
+    from engine.variant.table_spec import CushionShape, TableShape
 
 
 def cover(table: Table, shape: TableShape, rubber: Rubber, report: Report) -> Table:

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from engine.variant.locate import KeyPath
     from engine.variant.quantity import Expression
     from engine.variant.report import Report
-    from engine.variant.spec import LineShape, Place, RoundShape, TableShape, ZoneShape
+    from engine.variant.table_spec import LineShape, Place, RoundShape, TableShape, ZoneShape
 
 _EDGE = 1e-9
 _LONGEST_CHAIN = 40

@@ -22,7 +22,13 @@ if TYPE_CHECKING:
     from engine.table.furniture import Point, Table
     from engine.variant.locate import KeyPath
     from engine.variant.report import Report
-    from engine.variant.spec import CornerShape, OutlineShape, PocketShape, PostShape, TableShape
+    from engine.variant.table_spec import (
+        CornerShape,
+        OutlineShape,
+        PocketShape,
+        PostShape,
+        TableShape,
+    )
 
 _CUTS = "compare mouth, cut, shelf, jaw_radius and radius with those of a shipped table"
 _CODES = MappingProxyType(

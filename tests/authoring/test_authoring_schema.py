@@ -6,14 +6,13 @@ import json
 import tomllib
 from pathlib import Path
 
+import jsonschema
 import pytest
 from click.testing import CliRunner
 
 from engine.__main__ import main
 from engine.authoring.schema import KINDS, schema_of
 from engine.variant.library import PARTS
-
-jsonschema = pytest.importorskip("jsonschema")
 
 ROOT = Path(__file__).parents[2]
 VARIANTS = ROOT / "variants"
