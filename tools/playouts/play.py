@@ -14,25 +14,23 @@ import tomli_w
 
 from engine.game.match import Match, next_game, start_match
 from engine.game.referee import judge_shot, take_choice
-from engine.game.shot import NO_CALL, Shot
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
 from rulelang.evaluate import OutOfFuel, RuleClash
-from tools.playouts.strokes import good_shot, silly_shot
+from tools.playouts.players import Players, mix_of
 from tools.playouts.watch import faults, same, shuffled
 
 if TYPE_CHECKING:
+    from engine.game.shot import Shot
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
     from engine.variant.variant import Value, Variant
 
-TRIES = 16
-"""So many strokes are made up where one is to score; the last is played if none does."""
-SILLY = 0.1
-"""The share of silly shots where half are to score; the rest are tries that mostly fail."""
 EXPLAINED = 0.01
 USUAL = 0.05
-"""The share of shots that are explained, and of matches by the usual house rules."""
+PLACES = 0.2
+"""The share of shots that are explained, of matches by the usual house rules, and of matches in
+which it is told where the balls lie."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,40 +68,49 @@ class Tally:
 def playout(variant: Variant, number: int, seed: int, most: int) -> Tally:
     """Play one match of at most `most` shots."""
     rng = random.Random(f"{seed} {variant.name} {number}")
-    keen, places = number % 2 == 0, rng.random() < 0.2
+    half = number % 2 == 0
+    players = Players(variant, rng, mix_of(rng, half=half), places=rng.random() < PLACES)
     mixed = replace(variant, program=shuffled(variant.program, rng))
     fewest, fullest, _ = variant.players
     match = start_match(
         variant, rng.randint(fewest, fullest), _settings(variant, rng), rng.randrange(10**6)
     )
-    tally = Tally(matches=1, keen=int(keen))
-    while tally.shots < most:
+    tally = Tally(matches=1, keen=int(half))
+    while players.shots < most:
         situation = match.situation
-        shot = _shot(variant, situation, rng, keen=keen, places=places, tally=tally)
-        tally.shots += 1
-        verdict, wrong = _judged(variant, mixed, situation, shot, rng)
+        shot, known = players.shot(situation)
+        verdict, wrong = _judged(variant, mixed, situation, shot, known, rng)
         if wrong:
             what = "; ".join(wrong)
             record = _record(match, shot, verdict, what)
-            tally.findings.append(Finding(variant.name, number, tally.shots, what, record))
+            tally.findings.append(Finding(variant.name, number, players.shots, what, record))
         if verdict is None or wrong:
             break
         match = replace(match, situation=verdict.after)
         if verdict.after.over:
             if verdict.after.match_over or not _goes_on(variant):
-                tally.ended, tally.keen_ended = 1, int(keen)
+                tally.ended, tally.keen_ended = 1, int(half)
                 break
             match = next_game(match)
-    tally.longest = tally.shots
+    tally.shots = tally.longest = players.shots
+    tally.scored = players.scored
     return tally
 
 
 def _judged(
-    variant: Variant, mixed: Variant, situation: Situation, shot: Shot, rng: random.Random
+    variant: Variant,
+    mixed: Variant,
+    situation: Situation,
+    shot: Shot,
+    known: Verdict | None,
+    rng: random.Random,
 ) -> tuple[Verdict | None, list[str]]:
+    """Return the verdict, the one `known` where it is, and what is wrong with it."""
     explain = rng.random() < EXPLAINED
     try:
-        verdict = judge_shot(variant, situation, shot, explain=explain)
+        verdict = known
+        if verdict is None or explain:
+            verdict = judge_shot(variant, situation, shot, explain=explain)
         chosen = situation
         if situation.offers and not shot.is_only_choice:
             chosen = take_choice(variant, situation, shot, explain=False).after
@@ -115,55 +122,6 @@ def _judged(
     except Exception as error:  # noqa: BLE001 - a bug is a finding, told with its shot
         return None, [f"{type(error).__name__}: {error}"]
     return verdict, wrong
-
-
-def _shot(
-    variant: Variant,
-    situation: Situation,
-    rng: random.Random,
-    *,
-    keen: bool,
-    places: bool,
-    tally: Tally,
-) -> Shot:
-    """Return the next shot: a choice alone, or a stroke after the choice."""
-    choice = None
-    if situation.offers:
-        choice = rng.choice(situation.options)
-        balls = sorted(situation.on_table)
-        ball = rng.choice(balls) if balls else None
-        alone = Shot(choice=choice, call=replace(NO_CALL, ball=ball))
-        if rng.random() < 0.7:
-            return alone
-        chosen = take_choice(variant, situation, alone, explain=False).after
-        if chosen.over or chosen.offers:
-            return alone
-        stroke = silly_shot(variant, chosen, rng, places=places, choice=choice)
-        return replace(stroke, call=replace(stroke.call, ball=ball))
-    if not keen or rng.random() < SILLY:
-        return silly_shot(variant, situation, rng, places=places)
-    if rng.random() < (0.5 - SILLY) / (1 - SILLY):
-        return good_shot(variant, situation, rng, places=places)
-    for _ in range(TRIES):
-        shot = good_shot(variant, situation, rng, places=places)
-        if _scores(variant, situation, shot):
-            tally.scored += 1
-            break
-    return shot
-
-
-def _scores(variant: Variant, situation: Situation, shot: Shot) -> bool:
-    """Tell whether a shot wins, scores or at least keeps the table."""
-    try:
-        verdict = judge_shot(variant, situation, shot, explain=False)
-    except Exception:  # noqa: BLE001 - the match will meet it, and tell
-        return True
-    if verdict.fouls:
-        return False
-    me = situation.shooter
-    if verdict.after.over:
-        return verdict.after.winner == me
-    return verdict.points[me - 1] > 0 or verdict.after.shooter == me
 
 
 def _goes_on(variant: Variant) -> bool:

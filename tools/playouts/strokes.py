@@ -1,32 +1,30 @@
-"""A shot that nobody would play but that can be told: choice, call, events, facts.
+"""A shot that can be told, silly or good: call, events, facts, where the cue ball was put.
 
 One idea: only the vocabulary is known; a ball that is down makes no more events, a ball enters a
-zone that it is not in, and a pin that lies does not fall.
+zone that it is not in, and a pin that lies does not fall. A good shot follows a Recipe, so that
+one which scored can be played again.
 Invariant: the same Random and the same situation make the same shot.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from math import hypot
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from engine.game.phrases import RESERVED
-from engine.game.referee import look_ahead
 from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import Rest, ball_to_strike
 from engine.table.furniture import BallId
 from rulelang import events as e
 from rulelang.facts import Call
+from tools.playouts.places import anywhere, placement
+from tools.playouts.tale import Tale, begin_tale
 
 if TYPE_CHECKING:
     from random import Random
 
     from engine.game.situation import Situation
-    from engine.table.furniture import Point
     from engine.variant.variant import Value, Variant
     from rulelang.evaluate import Admission
-    from rulelang.events import Event
 
 RARE = (
     (lambda tale: e.TipHitAgain(tale.cue)),
@@ -37,104 +35,61 @@ RARE = (
 )
 """What an eye at the table sees now and then, besides the balls."""
 
+TARGET, CUE, BOTH, NEITHER = "target", "cue", "both", "neither"
+FALLS = (TARGET,) * 15 + (CUE,) * 2 + (BOTH,) * 2 + (NEITHER,)
 
-@dataclass(slots=True)
-class Tale:
-    """The events of one stroke as they are made up; `live` are the balls still on the bed."""
 
-    variant: Variant
-    rng: Random
-    cue: BallId
-    live: list[BallId]
-    zones: dict[BallId, set[str]]
-    standing: list[str]
-    events: list[Event] = field(default_factory=list)
-    moving: list[BallId] = field(default_factory=list)
-    down: dict[BallId, str] = field(default_factory=dict)
+@dataclass(frozen=True, slots=True)
+class Recipe:
+    """What a good stroke is made of, whichever balls it is played with.
 
-    def one(self) -> BallId:
-        """Return a ball that lies on the bed."""
-        return self.rng.choice(self.live)
+    `first` and `then` are cushions of the cue ball before and after it hits the target, `bank`
+    the target's own, `rails` cushions of any balls. `kisses` says for each further ball hit
+    whether the cue ball hits it, else the target does. `falls` says who drops, the target in
+    `pocket`, the cue ball there too where `follows`. `claims`: a group is called where one may be.
+    """
 
-    def mover(self) -> BallId | None:
-        """Return a ball that moves and is still on the bed, the struck one more often."""
-        if self.cue in self.moving and self.rng.random() < 0.4:
-            return self.cue
-        return self.rng.choice(self.moving) if self.moving else None
+    first: int
+    then: int
+    bank: int
+    rails: int
+    kisses: tuple[bool, ...]
+    pins: int
+    falls: str
+    pocket: str | None
+    follows: bool
+    claims: bool
 
-    def hit(self, ball: BallId, others: list[BallId]) -> None:
-        """Let a ball touch others, which move from then on."""
-        self.events.append(e.BallsHit(ball, tuple(others)))
-        self.moving += [other for other in others if other not in self.moving]
 
-    def cushion(self, ball: BallId) -> None:
-        """Let a ball touch a cushion."""
-        cushions = self.variant.program.vocabulary.cushions
-        if cushions:
-            self.events.append(e.CushionHit(ball, self.rng.choice(cushions)))
-
-    def pocket(self, ball: BallId, pocket: str) -> None:
-        """Let a ball fall."""
-        self.events.append(e.Pocketed(ball, pocket))
-        self.down[ball] = pocket
-        self._gone(ball)
-
-    def off(self, ball: BallId) -> None:
-        """Let a ball leave the table."""
-        self.events.append(e.LeftTable(ball))
-        self._gone(ball)
-
-    def back(self, ball: BallId) -> None:
-        """Let a ball that fell come back."""
-        self.events.append(e.Rebounded(ball, self.down.pop(ball)))
-        self.live.append(ball)
-        self.moving.append(ball)
-
-    def settle(self, ball: BallId) -> None:
-        """Let a ball fall after all have stopped."""
-        pocket = self.rng.choice(self.variant.program.vocabulary.pockets)
-        delay = float(self.rng.randint(1, 9))
-        self.events.append(e.Settled(ball, pocket, delay))
-        self._gone(ball)
-
-    def zone(self, ball: BallId) -> None:
-        """Let a ball enter a zone, or leave one that it is in."""
-        known = self.variant.program.vocabulary.zones
-        names = [zone for zone in known if zone not in RESERVED]
-        if not names:
-            return
-        name, inside = self.rng.choice(names), self.zones.setdefault(ball, set())
-        self.events.append(e.ZoneLeft(ball, name) if name in inside else e.ZoneEntered(ball, name))
-        inside ^= {name}
-
-    def topple(self, ball: BallId) -> None:
-        """Let a ball make a pin fall, or touch it, or the pin lean on the ball."""
-        if not self.standing:
-            return
-        pin = self.rng.choice(self.standing)
-        draw = self.rng.random()
-        if draw < 0.1:
-            self.events.append(e.PinTouched(ball, pin))
-            return
-        self.standing.remove(pin)
-        self.events.append(e.PinLeaned(pin, ball) if draw < 0.2 else e.PinToppled((ball,), pin))
-
-    def _gone(self, ball: BallId) -> None:
-        self.live.remove(ball)
-        if ball in self.moving:
-            self.moving.remove(ball)
+def any_recipe(variant: Variant, rng: Random) -> Recipe:
+    """Return the recipe of a stroke that scores in some game."""
+    words = variant.program.vocabulary
+    return Recipe(
+        first=rng.choice((0, 0, 1, 3)),
+        then=rng.choice((0, 1, 3, 4)),
+        bank=rng.choice((0, 0, 0, 1)),
+        rails=rng.choice((0, 1, 4)),
+        kisses=tuple(rng.random() < 0.5 for _ in range(rng.choice((0, 1, 1, 2)))),
+        pins=rng.randint(0, 3) if words.pins else 0,
+        falls=rng.choice(FALLS),
+        pocket=rng.choice(words.pockets) if words.pockets else None,
+        follows=rng.random() < 0.5,
+        claims=rng.random() < 0.5,
+    )
 
 
 def silly_shot(
-    variant: Variant, situation: Situation, rng: Random, *, places: bool, choice: str | None = None
+    variant: Variant,
+    situation: Situation,
+    ahead: Admission,
+    rng: Random,
+    *,
+    places: bool,
+    choice: str | None = None,
 ) -> Shot:
     """Return any stroke that can be told; `places` says where the balls come to rest."""
-    ahead = look_ahead(variant, situation)
     call = _any_call(variant, situation, ahead, rng)
-    if rng.random() < 0.01:
-        event = rng.choice((e.StrokeOmitted(), e.TimeCalled()))
-        return Shot(choice=choice, call=call, events=(event,))
-    tale = _begun(variant, situation, rng)
+    tale = begin_tale(variant, situation, rng)
     if tale is None:
         return Shot(choice=choice, call=call, events=(e.StrokeOmitted(),))
     for make in RARE:
@@ -149,45 +104,55 @@ def silly_shot(
 
 
 def good_shot(
-    variant: Variant, situation: Situation, rng: Random, *, places: bool, choice: str | None = None
+    variant: Variant,
+    situation: Situation,
+    ahead: Admission,
+    rng: Random,
+    recipe: Recipe,
+    *,
+    places: bool,
 ) -> Shot:
-    """Return a stroke of the kind that scores in some game: on first, cushions, a called pot."""
-    ahead = look_ahead(variant, situation)
-    tale = _begun(variant, situation, rng)
-    if tale is None:
-        return Shot(choice=choice, events=(e.StrokeOmitted(),))
+    """Return a stroke by a recipe: a ball on first, what is to be called called as it comes."""
+    tale = begin_tale(variant, situation, rng)
+    others = [] if tale is None else [ball for ball in tale.live if ball != tale.cue]
+    if tale is None or not others:
+        return Shot(events=(e.StrokeOmitted(),))
     on = sorted(BallId(ball) for ball in ahead.on if ball in tale.live and ball != tale.cue)
-    others = [ball for ball in tale.live if ball != tale.cue]
-    if not others:
-        return Shot(choice=choice, events=(e.StrokeOmitted(),))
     target = rng.choice(on or others)
-    pockets = variant.program.vocabulary.pockets
-    pocket = rng.choice(pockets) if pockets else None
     words = " ".join(one.what for one in ahead.required)
     call = Call(
         target if "ball" in words else None,
-        pocket if "pocket" in words else None,
-        group=_group_of(variant, target) if "group" in words and rng.random() < 0.5 else None,
+        recipe.pocket if "pocket" in words else None,
+        group=_group_of(variant, target) if "group" in words and recipe.claims else None,
     )
-    for _ in range(rng.choice((0, 0, 1, 3))):
+    _follow(recipe, tale, target, [ball for ball in others if ball != target])
+    return _told(variant, situation, tale, call, None, places=places)
+
+
+def _follow(recipe: Recipe, tale: Tale, target: BallId, others: list[BallId]) -> None:
+    """Let happen what the recipe says."""
+    rng = tale.rng
+    for _ in range(recipe.first):
         tale.cushion(tale.cue)
     tale.hit(tale.cue, [target])
-    for _ in range(rng.choice((0, 1, 3, 4))):
+    for _ in range(recipe.then):
         tale.cushion(tale.cue)
-    for other in rng.sample(others, min(len(others), rng.choice((0, 1, 1, 2)))):
-        if other != target:
-            tale.hit(rng.choice((tale.cue, target)), [other])
-    for ball in rng.sample(tale.live, min(len(tale.live), rng.choice((0, 1, 4)))):
+    for _ in range(recipe.bank):
+        tale.cushion(target)
+    kissed = rng.sample(others, min(len(others), len(recipe.kisses)))
+    for other, by_cue in zip(kissed, recipe.kisses, strict=False):
+        tale.hit(tale.cue if by_cue else target, [other])
+    for ball in rng.sample(tale.live, min(len(tale.live), recipe.rails)):
         tale.cushion(ball)
-    if tale.standing:
-        for _ in range(rng.randint(0, 3)):
-            tale.topple(rng.choice([ball for ball in tale.live if ball != tale.cue]))
-    falls = rng.random()
-    if pocket is not None and falls < 0.85:
-        tale.pocket(target, pocket)
-    if pocket is not None and 0.75 < falls < 0.92:
-        tale.pocket(tale.cue, rng.choice(pockets))
-    return _told(variant, situation, tale, call, choice, places=places)
+    for _ in range(recipe.pins if tale.standing else 0):
+        tale.topple(rng.choice([target, *others]))
+    if recipe.pocket is None:
+        return
+    if recipe.falls in (TARGET, BOTH):
+        tale.pocket(target, recipe.pocket)
+    if recipe.falls in (CUE, BOTH):
+        pockets = tale.variant.program.vocabulary.pockets
+        tale.pocket(tale.cue, recipe.pocket if recipe.follows else rng.choice(pockets))
 
 
 def _silly(tale: Tale) -> None:
@@ -226,23 +191,6 @@ def _silly(tale: Tale) -> None:
         tale.events.append(e.JumpedOver(ball, rng.choice(others)))
 
 
-def _begun(variant: Variant, situation: Situation, rng: Random) -> Tale | None:
-    """Return a tale in which the ball was just struck, None where there is none to strike."""
-    words = variant.program.vocabulary
-    order = [ball.name for ball in words.balls]
-    live = [BallId(ball) for ball in order if ball in situation.on_table]
-    cue = ball_to_strike(variant, situation)
-    if situation.strikable:
-        cue = rng.choice(sorted(situation.strikable & set(live)) or [cue])
-    elif rng.random() < 0.01:
-        cue = rng.choice([ball for ball in variant.cue_balls if ball in live] or [cue])
-    if cue not in live:
-        return None
-    zones = {ball: set(map(str, at)) for ball, at in situation.rest.zones.items()}
-    standing = [pin for pin in words.pins if pin not in situation.rest.fallen]
-    return Tale(variant, rng, cue, live, zones, standing, moving=[cue])
-
-
 def _told(
     variant: Variant,
     situation: Situation,
@@ -252,43 +200,17 @@ def _told(
     *,
     places: bool,
 ) -> Shot:
-    after = _anywhere(variant, tale.live, tale.rng) if places else None
-    struck = None if tale.cue == ball_to_strike(variant, situation) else tale.cue
+    after = anywhere(variant, tale.live, tale.rng) if places else None
+    own = tale.cue == ball_to_strike(variant, situation)
     return Shot(
         choice=choice,
         call=call,
-        struck=struck,
+        struck=None if own else tale.cue,
+        placement=placement(variant, situation, tale.rng) if own else None,
         events=tuple(tale.events),
         facts=_facts(variant, tale.rng),
         after=Rest() if after is None else Rest(positions=after),
     )
-
-
-def _anywhere(variant: Variant, balls: list[BallId], rng: Random) -> dict[BallId, Point] | None:
-    """Return places (m) on the bed for the balls, none over another; None where there is no room.
-
-    Now and then a ball lies on one of the spots.
-    """
-    table = variant.world.table
-    radii = {one.id: one.radius for one in variant.world.balls}
-    spots = list(table.spots.values())
-    lying: dict[BallId, Point] = {}
-    for ball in balls:
-        radius = radii[ball]
-        wide, high = table.length / 2 - 2 * radius, table.width / 2 - 2 * radius
-        for _ in range(50):
-            at = (rng.uniform(-wide, wide), rng.uniform(-high, high))
-            if spots and rng.random() < 0.2:
-                at = rng.choice(spots)
-            if all(
-                hypot(at[0] - x, at[1] - y) > radius + radii[other] + 1e-4
-                for other, (x, y) in lying.items()
-            ):
-                lying[ball] = at
-                break
-        else:
-            return None
-    return lying
 
 
 def _any_call(variant: Variant, situation: Situation, ahead: Admission, rng: Random) -> Call:
@@ -315,7 +237,7 @@ def _facts(variant: Variant, rng: Random) -> dict[str, Value]:
     balls = [ball.name for ball in variant.program.vocabulary.balls]
     told: dict[str, Value] = {}
     for name, fact in variant.program.facts.items():
-        if rng.random() < 0.85:
+        if name in variant.program.timers or rng.random() < 0.85:
             continue
         if fact.values:
             told[name] = rng.choice(fact.values)
