@@ -82,10 +82,10 @@ def override(fired: Fired) -> tuple[Fired, dict[int, CompiledRule]]:
 
 
 def judge_fouls(program: Program, c: Watch, log: Any) -> None:
-    """Ask the rules of the fouls; those that speak of fouls see what the others found."""
+    """Ask the rules of the fouls; those that speak of fouls see what the others left."""
     c.stage = FOULS
     early = fire(rules_of(program, "fouls", c.phase), c)
-    c.fouls = _fouls(early)
+    c.fouls = _fouls(override(early)[0])
     c.legal = not c.fouls
     late_rules = rules_of(program, "late fouls", c.phase)
     if late_rules:

@@ -277,6 +277,18 @@ def test_an_overridden_rule_overrides_nothing() -> None:
     assert {f.name for f in play(script, down).fouls} == {"low", "top"}
 
 
+def test_an_overridden_foul_is_no_foul_for_the_rules_read_last() -> None:
+    script = (
+        "fouls:\n"
+        '    rule "Low": if cue ball pocketed: foul low\n'
+        '    rule "Excuse" overrides "Low": if 8-ball pocketed: nothing happens\n'
+        "    if shot is foul: foul top\n"
+    )
+    assert {f.name for f in play(script, "cue pocketed foot-left").fouls} == {"low", "top"}
+    down = "cue pocketed foot-left; 8 pocketed foot-left"
+    assert play(script, down).fouls == ()
+
+
 @pytest.mark.parametrize(
     "script",
     [
