@@ -7,7 +7,6 @@ Invariant: line numbers are those of the text, whatever piece is parsed.
 
 from __future__ import annotations
 
-import os
 import re
 from dataclasses import replace
 from functools import cache
@@ -15,58 +14,33 @@ from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
-from lark import Lark
-from lark.exceptions import UnexpectedInput
-
 from rulelang import building
-from rulelang.hasten import hasten, quick_parse
-from rulelang.indent import BadDedent, Indentation
+from rulelang.automaton import Unfit
+from rulelang.reading import BadDedent, Unreadable
 from rulelang.surface import explain, scan
 from rulelang.syntax import Script
+from rulelang.tables import kept_tables
 
 if TYPE_CHECKING:
+    from rulelang.automaton import Automaton
     from rulelang.diagnostics import Diagnostic
 
 MOST_TOLD = 100
 """Nobody mends more at a time; what comes after is told on the next check."""
-_GRAMMAR = Path(__file__).with_name("grammar.lark")
-
-
-def _store(folder: str | None) -> Any:
-    """Return the file that keeps the grammar; False for none, or where none can be kept."""
-    if folder is None:
-        return False
-    try:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return False
-    return str(Path(folder) / "rulelang.grammar") if os.access(folder, os.W_OK) else False
-
-
-_BUILDING = Lock()
-"""Lark builds one grammar at a time."""
+GRAMMAR = Path(__file__).with_name("grammar.lark")
+_MAKING = Lock()
+"""The tables are made once, however many threads ask for them."""
 
 
 @cache
-def _parser(folder: str | None, *, strict: bool = False) -> Lark:
-    made = Lark(
-        _GRAMMAR.read_text(encoding="utf-8"),
-        parser="lalr",
-        lexer="basic",
-        postlex=Indentation(),
-        propagate_positions=True,
-        maybe_placeholders=True,
-        strict=strict,
-        cache=_store(folder),
-    )
-    hasten(made)
-    return made
+def _parser(folder: Path | None) -> Automaton:
+    return kept_tables(GRAMMAR, folder).automaton()
 
 
-def grammar(folder: Path | None = None, *, strict: bool = False) -> Lark:
+def grammar(folder: Path | None = None) -> Automaton:
     """Return the parser; with `folder` its tables are kept there between processes."""
-    with _BUILDING:
-        return _parser(None if folder is None else str(folder), strict=strict)
+    with _MAKING:
+        return _parser(folder)
 
 
 def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, list[Diagnostic]]:
@@ -91,15 +65,15 @@ def parse(source: str, file: str, cache: Path | None = None) -> tuple[Script, li
     return script, found or [explain(tree, source, file, parser)]
 
 
-def _try(parser: Lark, text: str) -> Any:
+def _try(parser: Automaton, text: str) -> Any:
     try:
-        return quick_parse(parser, text)
-    except (UnexpectedInput, BadDedent) as trouble:
+        return parser.parse(text)
+    except (Unfit, Unreadable, BadDedent) as trouble:
         return trouble
 
 
 def _around(
-    parser: Lark, source: str, file: str, wrong: set[int]
+    parser: Automaton, source: str, file: str, wrong: set[int]
 ) -> tuple[Script, list[Diagnostic]]:
     """Read what stands around lines that are wrong already; a body may be missing for them."""
     lines = enumerate(source.split("\n"), 1)
@@ -112,7 +86,7 @@ def _around(
     return replace(script, source=source), told
 
 
-def _piecewise(parser: Lark, source: str, file: str) -> tuple[Script, list[Diagnostic]]:
+def _piecewise(parser: Automaton, source: str, file: str) -> tuple[Script, list[Diagnostic]]:
     """Read every piece that can be read; a group is parted at the piece where it goes wrong."""
     found: list[Diagnostic] = []
     declarations: list[Any] = []

@@ -10,15 +10,15 @@ import re
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
-from lark.exceptions import UnexpectedCharacters, UnexpectedToken
-
+from rulelang.automaton import Unfit
 from rulelang.diagnostics import Diagnostic
-from rulelang.indent import BadDedent
 from rulelang.meant import Meant, meant, meant_by_sign
+from rulelang.reading import BadDedent, Unreadable
 from rulelang.words import OPENING, PAST
 
 if TYPE_CHECKING:
-    from lark import Lark
+    from rulelang.automaton import Automaton
+    from rulelang.reading import Token
 
 LONGEST = 200_000
 MOST_WORDS = 20_000
@@ -95,7 +95,7 @@ def _blank(found: re.Match[str]) -> str:
     return "_" * len(found.group())
 
 
-def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:
+def explain(trouble: Any, source: str, file: str, parser: Automaton) -> Diagnostic:
     """Return the mistake that stopped the parser, with its mend."""
     if isinstance(trouble, BadDedent):
         message = "this line goes back to a depth that no line above it has"
@@ -108,9 +108,9 @@ def explain(trouble: Any, source: str, file: str, parser: Lark) -> Diagnostic:
             "align it with the line it belongs to",
             source,
         )
-    if isinstance(trouble, UnexpectedCharacters):
+    if isinstance(trouble, Unreadable):
         return _sign(file, trouble.line, trouble.column, source)
-    if isinstance(trouble, UnexpectedToken):
+    if isinstance(trouble, Unfit):
         return _token(trouble, source, file, parser)
     return _at("R101", file, 1, 1, "this is not a script", "", source)
 
@@ -120,20 +120,20 @@ def _sign(file: str, line: int, column: int, source: str) -> Diagnostic:
     return _at(told.code, file, line, told.column, told.message, told.mend, source, told.width)
 
 
-def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Diagnostic:
+def _token(trouble: Unfit, source: str, file: str, parser: Automaton) -> Diagnostic:
     token = trouble.token
     lines = source.split("\n")
     line, column = token.line or len(lines), token.column or 1
-    text = str(token)
-    expected = _spoken(trouble.accepts or trouble.expected, parser)
+    text = token.text
+    expected = _spoken(trouble.fitting, parser)
     row = lines[line - 1] if line <= len(lines) else ""
-    if token.type in ("_NL", "$END", "_DEDENT"):
+    if token.kind in ("_NL", "$END", "_DEDENT"):
         end = _end_of(token, lines, line)
         known = meant(lines[end - 1], len(lines[end - 1].split("#")[0].rstrip()) + 1)
         if known is not None:
             return _known(known, file, end, source)
         return _line_end(token, lines, line, expected, file, source)
-    if token.type == "_INDENT":
+    if token.kind == "_INDENT":
         return _indent(token, lines, file, source)
     before = row[: column - 1].split()
     last = before[-1] if before else ""
@@ -162,8 +162,8 @@ def _token(trouble: UnexpectedToken, source: str, file: str, parser: Lark) -> Di
         return made("R101", f"`{last}` is not a word of the language", f"say `{_PRESENT[last]}`")
     if "`:`" in expected and text in OPENING:
         return made("R102", f"a colon is missing before `{text}`", f"write `: {text}`")
-    mend = _close(text, trouble.accepts or trouble.expected, parser)
-    previous = _close(last, None, parser) if token.type == "NAME" or last else ""
+    mend = _close(text, trouble.fitting, parser)
+    previous = _close(last, None, parser) if token.kind == "NAME" or last else ""
     if not mend and last and previous and last not in _words(parser):
         column = row[: column - 1].rstrip().rfind(last) + 1
         return _at(
@@ -214,15 +214,15 @@ def _is_name(text: str) -> bool:
     return re.fullmatch(r"[a-z][a-z0-9-]*", text) is not None and text not in ("per", "when", "as")
 
 
-def _end_of(token: Any, lines: list[str], line: int) -> int:
+def _end_of(token: Token, lines: list[str], line: int) -> int:
     """Return the line that ended too early: the last with text, where a blank one is told."""
-    if token.type == "_NL":
+    if token.kind == "_NL":
         return line
     return max((n for n, text in enumerate(lines, 1) if text.strip() and n <= line), default=1)
 
 
 def _line_end(
-    token: Any, lines: list[str], line: int, expected: list[str], file: str, source: str
+    token: Token, lines: list[str], line: int, expected: list[str], file: str, source: str
 ) -> Diagnostic:
     line = _end_of(token, lines, line)
     row = lines[line - 1].split("#")[0].rstrip()
@@ -255,7 +255,7 @@ def _line_end(
     )
 
 
-def _indent(token: Any, lines: list[str], file: str, source: str) -> Diagnostic:
+def _indent(token: Token, lines: list[str], file: str, source: str) -> Diagnostic:
     line = token.end_line or 1
     above = lines[(token.line or 1) - 1].split("#")[0].rstrip()
     column = len(lines[line - 1]) - len(lines[line - 1].lstrip()) + 1
@@ -272,12 +272,12 @@ def _indent(token: Any, lines: list[str], file: str, source: str) -> Diagnostic:
     return _at("R104", file, line, column, "this line is indented without reason", mend, source)
 
 
-def _words(parser: Lark) -> list[str]:
-    return [t.pattern.value for t in parser.terminals if t.pattern.type == "str"]
+def _words(parser: Automaton) -> list[str]:
+    return list(parser.words)
 
 
-def _spoken(names: Any, parser: Lark) -> list[str]:
-    patterns = {t.name: t.pattern for t in parser.terminals}
+def _spoken(names: Any, parser: Automaton) -> list[str]:
+    patterns = {kind: word for word, kind in parser.words.items()}
     plain = {
         "NAME": "a name", "NUMBER": "a number", "STRING": "a text in quotes", "BALLNO": "a ball",
         "_NL": "the end of the line", "CITE": "a cite", "_INDENT": "an indented body",
@@ -287,8 +287,8 @@ def _spoken(names: Any, parser: Lark) -> list[str]:
     for name in names:
         if name in plain:
             found.append(plain[name])
-        elif name in patterns and patterns[name].type == "str":
-            found.append(f"`{patterns[name].value}`")
+        elif name in patterns:
+            found.append(f"`{patterns[name]}`")
     return sorted(set(found))
 
 
@@ -298,9 +298,8 @@ def _listed(expected: list[str]) -> str:
     return ", ".join(some) + more
 
 
-def _close(text: str, names: Any, parser: Lark) -> str:
-    patterns = {t.name: t.pattern for t in parser.terminals if t.pattern.type == "str"}
-    words = [p.value for n, p in patterns.items() if names is None or n in names]
+def _close(text: str, names: Any, parser: Automaton) -> str:
+    words = [word for word, kind in parser.words.items() if names is None or kind in names]
     close = get_close_matches(text, [w for w in words if w.isalpha()], 1, 0.65)
     return f"did you mean `{close[0]}`?" if close else ""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from rulelang.parse import grammar
+from rulelang.making import lark_of
 
 if TYPE_CHECKING:
     from random import Random
@@ -28,7 +28,7 @@ _DEEP = 14
 @cache
 def _rules() -> tuple[dict[str, list[list[Any]]], dict[str, int], dict[str, str]]:
     """Return the expansions of each symbol, its least depth, and the text of each word."""
-    parser = grammar()
+    parser = lark_of()
     rules: dict[str, list[list[Any]]] = {}
     for rule in parser.rules:
         rules.setdefault(rule.origin.name, []).append(list(rule.expansion))

@@ -1,4 +1,4 @@
-"""Declarations and rules, built from Lark's trees.
+"""Declarations and rules, built from the parser's trees.
 
 One idea: a line of the text may hold several declarations, so each is built as a list.
 Invariant: declarations and rules keep the order of the text.
@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from lark import Tree
-
 from rulelang import syntax as s
+from rulelang.automaton import Tree
 from rulelang.building.expressions import expression, guard, maybe
 from rulelang.building.statements import statement
 from rulelang.building.words import span, text, unquote

@@ -1,4 +1,4 @@
-"""Nouns, numbers, conditions and event phrases, built from Lark's trees.
+"""Nouns, numbers, conditions and event phrases, built from the parser's trees.
 
 One idea: one small function per construct, found by the name the grammar gives it.
 Invariant: every name of the grammar's expressions stands in `_EXPRESSIONS` or among the verbs.
@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from lark import Tree
-
 from rulelang import syntax as s
+from rulelang.automaton import Tree
 from rulelang.building.words import named, span, text
 
 if TYPE_CHECKING:
@@ -212,7 +211,7 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "word": lambda n: s.Name(span(n), str(n.children[0])),
     "name_of": lambda n: s.NameOf(span(n), str(n.children[0]), expression(n.children[1])),
     "ball_number": lambda n: s.BallNumber(span(n), str(n.children[0]).removesuffix("-ball")),
-    "number": lambda n: s.Number(span(n), int(float(n.children[0]))),
+    "number": lambda n: s.Number(span(n), int(float(text(n.children[0])))),
     "yes": lambda n: s.Flag(span(n), value=True),
     "no_flag": lambda n: s.Flag(span(n), value=False),
     "nothing": lambda n: s.Nothing(span(n)),
@@ -225,7 +224,9 @@ _EXPRESSIONS: dict[str, Callable[[Any], s.Expr]] = {
     "cue_ball_of": lambda n: s.CueBallOf(span(n), expression(n.children[0])),
     "called_name": _called,
     "score_of": lambda n: s.ScoreOf(span(n), expression(n.children[0])),
-    "lot_of": lambda n: s.LotOf(span(n), expression(n.children[0]), int(float(n.children[1]))),
+    "lot_of": lambda n: s.LotOf(
+        span(n), expression(n.children[0]), int(float(text(n.children[1])))
+    ),
     "score_gap": lambda n: s.ScoreGap(span(n)),
     "score_extreme": lambda n: s.ScoreExtreme(span(n), text(n.children[0])),
     "score_second": lambda n: s.ScoreExtreme(span(n), text(n.children[0]), second=True),

@@ -1,4 +1,4 @@
-"""What a rule does, built from Lark's trees.
+"""What a rule does, built from the parser's trees.
 
 One idea: one small function per statement, found by the name the grammar gives it.
 Invariant: a statement is built whole; those inside it are built by the same table.

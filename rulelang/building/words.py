@@ -1,4 +1,4 @@
-"""Places and words of Lark's trees.
+"""Places and words of the parser's trees.
 
 One idea: what a piece of the parser's tree says, whatever construct it belongs to.
 Invariant: nothing here builds a node.
@@ -6,30 +6,28 @@ Invariant: nothing here builds a node.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from lark import Token, Tree
-
+from rulelang.reading import Token
 from rulelang.syntax import Span
 
-Node = Tree[Token]
+if TYPE_CHECKING:
+    from rulelang.automaton import Tree
+
+_NOWHERE = Span(1, 1, 0, 0)
 
 
-def span(node: Node | Token) -> Span:
+def span(node: Tree | Token) -> Span:
     """Return the place of a tree or token."""
     if isinstance(node, Token):
-        start = node.start_pos or 0
-        return Span(node.line or 1, node.column or 1, start, node.end_pos or start)
-    meta = node.meta
-    if meta.empty:
-        return Span(1, 1, 0, 0)
-    return Span(meta.line, meta.column, meta.start_pos, meta.end_pos)
+        return Span(node.line, node.column, node.start, node.end)
+    return _NOWHERE if node.place is None else Span(*node.place)
 
 
 def text(node: Any) -> str:
     """Return the words of a tree, joined by one blank."""
     if isinstance(node, Token):
-        return str(node)
+        return node.text
     return " ".join(text(child) for child in node.children if child is not None)
 
 

@@ -30,8 +30,7 @@ SHARED = ("define contact when cue ball hit 8-ball\n", "shared.rules")
 
 
 def grammar_words() -> set[str]:
-    found = {t.pattern.value for t in grammar().terminals if t.pattern.type == "str"}
-    return {word for word in found if word.isalpha()}
+    return {word for word in grammar().words if word.isalpha()}
 
 
 def test_every_word_of_the_grammar_has_one_class() -> None:
