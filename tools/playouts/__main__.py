@@ -2,7 +2,8 @@
 
 One idea: shots are made up from the vocabulary alone, as silly as can be told, and whatever is
 played the rules must never clash, run out of fuel, lose a ball or leave nobody to move; the order
-of rules inside a section decides nothing. In every second match half the shots score.
+of rules inside a section decides nothing. In every second match half the shots score; in the
+others fewer do, or all are silly (tools/playouts/players.py has the shares).
 Invariant: the same seed plays the same matches, on any number of processes. Exit 1 for a finding.
 """
 
@@ -82,9 +83,13 @@ def main(words: list[str] | None = None) -> int:
     short = [name for name, tally in tallies.items() if 10 * tally.keen_ended < 9 * tally.keen]
     if given.json:
         told = {name: asdict(tally) for name, tally in tallies.items()}
-        print(json.dumps({"seconds": round(seconds, 1), "games": told}, indent=2))
+        pace = round(_sum(tallies).shots / seconds)
+        whole = {"seconds": round(seconds, 1), "shots_per_second": pace, "games": told}
+        print(json.dumps(whole, indent=2))
     else:
         _tell(tallies, findings, seconds)
+        for name in short:
+            print(f"{name}: fewer than nine in ten of the matches ended in which half score")
     return int(bool(findings or short))
 
 
@@ -97,10 +102,19 @@ def _played(work: list[tuple[str, int, int, int, int]], jobs: int) -> Iterator[t
             yield done.result()
 
 
+def _sum(tallies: dict[str, Tally]) -> Tally:
+    total = Tally()
+    for one in tallies.values():
+        total.add(one)
+    return total
+
+
 def _tell(tallies: dict[str, Tally], findings: list[Finding], seconds: float) -> None:
-    width = max(map(len, tallies))
+    total = _sum(tallies)
+    lines = {**tallies, f"{len(tallies)} games": total}
+    width = max(map(len, lines))
     print(f"{'game':{width}}  matches    shots  longest  ended  ended where half score  findings")
-    for name, one in tallies.items():
+    for name, one in lines.items():
         share = f"{one.keen_ended} of {one.keen}"
         print(
             f"{name:{width}}  {one.matches:7}  {one.shots:7}  {one.longest:7}  {one.ended:5}"
@@ -108,7 +122,7 @@ def _tell(tallies: dict[str, Tally], findings: list[Finding], seconds: float) ->
         )
     for found in findings:
         print(f"{found.variant}, match {found.match}, shot {found.shot}: {found.what}")
-    print(f"{seconds:.1f} s")
+    print(f"{seconds:.1f} s, {total.shots / seconds:.0f} shots a second")
 
 
 def _keep(folder: Path, findings: list[Finding]) -> None:

@@ -29,8 +29,9 @@ SILLY = 0.1
 """The share of silly shots in a match where half are to score; the rest mostly fail."""
 WHOLLY = 0.05
 """The share of the other matches that are wholly silly, for so many shots:"""
-PATIENCE = 300
-"""A match that lasts longer is played in earnest from then on, half its shots to score."""
+PATIENCE = 150
+"""A match that lasts longer is played in earnest from then on, half its shots to score, and an
+attempt that would be a foul is given up for another, a few times."""
 TRIES, FEWEST = 16, 4
 """So many strokes are made up where one is to score, fewer where that was long in vain."""
 REMEMBERED = 8
@@ -76,7 +77,8 @@ class Players:
     def shot(self, situation: Situation) -> tuple[Shot, Verdict | None]:
         """Return the next shot, with the verdict on it where it was already asked for."""
         self.shots += 1
-        mix = HALF if self.shots > PATIENCE else self.mix
+        earnest = self.shots > PATIENCE
+        mix = HALF if earnest else self.mix
         if situation.offers:
             return self._choice(situation), None
         draw = self.rng.random()
@@ -88,7 +90,7 @@ class Players:
             return self._silly(situation, ahead), None
         if draw < mix.silly + mix.scoring:
             return self._try(situation, ahead)
-        return self._good(situation, ahead, any_recipe(self.variant, self.rng)), None
+        return self._attempt(situation, ahead, FEWEST if earnest else 1)
 
     def _choice(self, situation: Situation) -> Shot:
         """Return a choice alone, or a stroke after the choice."""
@@ -118,6 +120,19 @@ class Players:
 
     def _good(self, situation: Situation, ahead: Admission, recipe: Recipe) -> Shot:
         return good_shot(self.variant, situation, ahead, self.rng, recipe, places=self.places)
+
+    def _attempt(
+        self, situation: Situation, ahead: Admission, tries: int
+    ) -> tuple[Shot, Verdict | None]:
+        """Return any good stroke, of several the first that is no foul."""
+        verdict = None
+        for left in reversed(range(tries)):
+            shot = self._good(situation, ahead, any_recipe(self.variant, self.rng))
+            if left:
+                verdict = _judged(self.variant, situation, shot)
+                if verdict is None or not verdict.fouls:
+                    return shot, verdict
+        return shot, None
 
     def _try(self, situation: Situation, ahead: Admission) -> tuple[Shot, Verdict | None]:
         """Return the first of some strokes that scores, or the last of them."""

@@ -36,7 +36,7 @@ RARE = (
 """What an eye at the table sees now and then, besides the balls."""
 
 TARGET, CUE, BOTH, NEITHER = "target", "cue", "both", "neither"
-FALLS = (TARGET,) * 15 + (CUE,) * 2 + (BOTH,) * 2 + (NEITHER,)
+FALLS = (TARGET,) * 12 + (CUE,) * 2 + (BOTH,) * 2 + (NEITHER,) * 4
 
 
 @dataclass(frozen=True, slots=True)
