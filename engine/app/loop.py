@@ -7,6 +7,7 @@ smooth it looks and never what happens.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 import pygame
@@ -67,6 +68,8 @@ class Loop:
     running: bool = True
     wants_another: bool = False
     frames: int = 0
+    busy: float = 0.0
+    """Seconds that the last frame took, without the wait for the next one."""
     hands: Input = field(default_factory=Input)
     controls: Controls = field(default_factory=Controls)
     hud: Hud = field(init=False)
@@ -88,7 +91,9 @@ class Loop:
                 raise self.startup.trouble
             if each is not None:
                 each(self)
+            began = perf_counter()
             self.frame(self.window.read(), seconds)
+            self.busy = perf_counter() - began
 
     def frame(self, events: list[InputEvent], seconds: float) -> None:
         """Do one frame: take in `events`, let `seconds` pass, draw."""

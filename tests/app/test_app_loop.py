@@ -16,7 +16,7 @@ from engine.app.startup import Startup
 from engine.app.window import close_window, open_window
 from engine.records.journal import resume
 from engine.variant.load import load_variant
-from tools.play_script import Player
+from tools.scripted.player import Player
 
 pytestmark = pytest.mark.xdist_group("window")
 

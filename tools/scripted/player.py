@@ -2,30 +2,26 @@
 
 One idea: the script sees what a player sees, looks for a stroke with the physics, and then sets
 it key by key, so that a whole game proves the window, the controls and the rules together.
-
-    python -m tools.play_script VARIANT --out DIR [--set NAME=VALUE] [--seed N] [--headless]
 """
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
 from dataclasses import dataclass, field
-from pathlib import Path
-from random import Random
 from typing import TYPE_CHECKING
 
 from engine.app.pages import MENU
 from engine.app.session import Mode
-from tools.aimer import FINE, Plan, find_plan
+from tools.aimer import Plan, find_plan
+from tools.scripted.hands import announce, drag_ball, pause, press, set_stroke, type_text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping
+    from pathlib import Path
+    from random import Random
 
+    from engine.app.evening import Reception
     from engine.app.loop import Loop
-    from engine.app.stroke import Stroke
-    from rulelang.facts import Call
+    from engine.variant.variant import Value
 
 FOULS_AT = (1, 5, 12)
 """Strokes that are meant to go wrong."""
@@ -33,20 +29,65 @@ FOULS_AT = (1, 5, 12)
 
 @dataclass(slots=True)
 class Player:
-    """One scripted game; `log` has a line for each shot, `pictures` what was saved."""
+    """One scripted match; `log` has a line for each shot, `pictures` what was saved.
+
+    It ends with the match, or after `most_games` of it, and gives up after `most` strokes, each the
+    best of `tries`. With `keyboard` no mouse is used,
+    without `looks` nothing is saved and every page stays shut.
+    """
 
     out: Path
     lot: Random
     most: int = 400
     tries: int = 140
     fouls_at: tuple[int, ...] = FOULS_AT
+    keyboard: bool = False
+    looks: bool = True
+    most_games: int = 1
     log: list[str] = field(default_factory=list)
     pictures: list[Path] = field(default_factory=list)
     taken: dict[tuple[str, ...], int] = field(default_factory=dict)
     finished: bool = False
     strokes: int = 0
+    games: int = 0
     plan: Plan | None = None
     _script: Iterator[None] | None = None
+    _welcome: Iterator[None] | None = None
+
+    def greet(self, reception: Reception, name: str, wanted: Mapping[str, Value]) -> None:
+        """Do the next step on the start screen, until the game is chosen with what is `wanted`."""
+        if self._welcome is None:
+            self._welcome = self._choose_game(reception, name, wanted)
+        next(self._welcome, None)
+
+    def _choose_game(
+        self, reception: Reception, name: str, wanted: Mapping[str, Value]
+    ) -> Iterator[None]:
+        yield from pause(2)
+        self._picture(reception, "start")
+        titles = {one.name: one.title for one in reception.lobby.entries}
+        yield from type_text(titles[name].lower())
+        while (entry := reception.lobby.entry) is None or entry.name != name:
+            yield from press("down")
+        while reception.lobby.card is None:
+            yield
+        self._picture(reception, "found")
+        for row, value in wanted.items():
+            while reception.lobby.rows[reception.lobby.row] != row:
+                yield from press("tab")
+            yield from self._turn_to(reception, row, value)
+        self._picture(reception, "set")
+        yield from press("return")
+
+    def _turn_to(self, reception: Reception, row: str, value: Value) -> Iterator[None]:
+        """Change a row of the start screen by its arrows until it says `value`."""
+        for _ in range(2000):
+            now = reception.lobby.value(row)
+            if now == value:
+                return
+            down = isinstance(now, int) and isinstance(value, int) and now > value
+            yield from press("left" if down else "right")
+        raise RuntimeError(f"{row} cannot be set to {value}")
 
     def each(self, loop: Loop) -> None:
         """Do the next step; to be called before every frame."""
@@ -58,11 +99,16 @@ class Player:
     def _play(self, loop: Loop) -> Iterator[None]:
         while not loop.startup.playable:
             yield
-        yield from self._tour(loop)
+        if self.looks:
+            yield from self._tour(loop)
         while self.strokes < self.most:
             if loop.session.mode is Mode.OVER:
-                self.finished = True
-                break
+                self.games += 1
+                if loop.session.match.situation.match_over or self.games >= self.most_games:
+                    self.finished = True
+                    break
+                self._picture(loop, "game-over")
+                yield from press("n")
             yield from self._one(loop)
         yield from pause(2)
         self._say("over: " + ", ".join(map(str, loop.session.match.situation.scores)))
@@ -71,6 +117,18 @@ class Player:
         self._picture(loop, "end-why")
         yield from press("escape")
         yield from self._leave()
+
+    def play_on(self, loop: Loop) -> Iterator[None]:
+        """Yield for ever: game after game, with every key about a shot now and then."""
+        while not loop.startup.playable:
+            yield
+        while True:
+            if loop.session.mode is Mode.OVER:
+                self.games += 1
+                yield from press("n")
+            if self.lot.random() < 0.05:
+                yield from press(self.lot.choice("123c"))
+            yield from self._one(loop)
 
     def _tour(self, loop: Loop) -> Iterator[None]:
         """Look at the table in every manner, and at the pages."""
@@ -86,6 +144,9 @@ class Player:
             yield from press(key)
             self._picture(loop, name)
             yield from press("escape")
+        yield from press("f2")
+        self._picture(loop, "rules")
+        yield from press("escape")
 
     def _one(self, loop: Loop) -> Iterator[None]:
         session = loop.session
@@ -120,7 +181,8 @@ class Player:
         self._picture(loop, "place")
         for key in ("left", "up"):
             yield from press(key, times=2)
-        yield from drag_ball(loop, self.lot)
+        if not self.keyboard:
+            yield from drag_ball(loop, self.lot)
         self._picture(loop, "placed")
         yield from press("return")
 
@@ -147,11 +209,13 @@ class Player:
             raise RuntimeError(f"the stroke was refused: {loop.session.note}")
 
     def _watch(self, loop: Loop) -> Iterator[None]:
-        if self.strokes == 1:
+        if self.strokes == 1 and self.looks:
             for number, key in enumerate("123", start=1):
                 yield from pause(18)
                 yield from press(key)
                 self._picture(loop, f"rolling-{number}")
+        if not self.looks:
+            yield from pause(self.lot.choice((5, 30, 90)))
         yield from press("f")
 
     def _listen(self, loop: Loop) -> Iterator[None]:
@@ -171,7 +235,7 @@ class Player:
         )
         if verdict.is_foul or self.strokes < 4 or verdict.after.offers or self.strokes % 10 == 0:
             self._picture(loop, "verdict")
-        if self.strokes == 3:
+        if self.strokes == 3 or (not self.looks and self.lot.random() < 0.1):
             yield from self._look_again(loop)
         if loop.session.mode is Mode.VERDICT:
             yield from press("return")
@@ -202,141 +266,15 @@ class Player:
 
     def _say(self, text: str) -> None:
         self.log.append(text)
-        print(text, flush=True)
+        if self.looks:
+            print(text, flush=True)
 
-    def _picture(self, loop: Loop, name: str) -> None:
+    def _picture(self, shown: Loop | Reception, name: str) -> None:
         import pygame  # noqa: PLC0415  only in the window's process
 
+        if not self.looks:
+            return
+
         path = self.out / f"{len(self.pictures):03}-{name}.png"
-        pygame.image.save(loop.window.surface, path)
+        pygame.image.save(shown.window.surface, path)
         self.pictures.append(path)
-
-
-def pause(frames: int) -> Iterator[None]:
-    """Let frames pass."""
-    for _ in range(frames):
-        yield
-
-
-def press(key: str, *, times: int = 1, shift: bool = False) -> Iterator[None]:
-    """Press a key so many times within a frame; ends two frames later."""
-    import pygame  # noqa: PLC0415
-
-    code = pygame.key.key_code(key)
-    if shift:
-        pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_LSHIFT))
-    for _ in range(times):
-        pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=code))
-        pygame.event.post(pygame.event.Event(pygame.KEYUP, key=code))
-    yield
-    if shift:
-        pygame.event.post(pygame.event.Event(pygame.KEYUP, key=pygame.K_LSHIFT))
-    yield
-
-
-def drag_ball(loop: Loop, lot: Random) -> Iterator[None]:
-    """Drag the ball in hand with the mouse to some place of its zone."""
-    import pygame  # noqa: PLC0415
-
-    from engine.scene.camera import project  # noqa: PLC0415
-
-    session, screen = loop.session, loop.screen()
-    if session.placing is None or not len(session.placing.free):
-        return
-    x, y = lot.choice(session.placing.free.tolist())
-    seen = project(screen.camera, screen.size(), (x, y, session.placing.radius))
-    if seen is None:
-        return
-    place = int(seen[0] + screen.picture[0]), int(seen[1] + screen.picture[1])
-    if not screen.inside(place):
-        return
-    for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONUP):
-        about = {"pos": place, "button": 1} if kind != pygame.MOUSEMOTION else {"pos": place}
-        pygame.event.post(pygame.event.Event(kind, about))
-        yield
-    yield
-
-
-def announce(loop: Loop, call: Call) -> Iterator[None]:
-    """Make a call key by key."""
-    if call.safety:
-        if not loop.session.call.safety:
-            yield from press("o")
-        return
-    for _ in range(40):
-        if loop.session.call.ball == call.ball or call.ball is None:
-            break
-        yield from press("tab")
-    for _ in range(12):
-        if loop.session.call.pocket == call.pocket or call.pocket is None:
-            break
-        yield from press("p")
-
-
-def set_stroke(loop: Loop, stroke: Stroke) -> Iterator[None]:
-    """Set aim, power and tip with the keys."""
-    now = loop.session.stroke
-    steps = round(((stroke.heading - now.heading + 180.0) % 360.0 - 180.0) / FINE)
-    whole, fine = divmod(abs(steps), round(1.0 / FINE))
-    side = "left" if steps > 0 else "right"
-    yield from taps(side, whole, fine)
-    steps = round((stroke.speed - now.speed) * 100.0)
-    yield from taps("up" if steps > 0 else "down", *divmod(abs(steps), 10))
-    for keys, tenths in (("da", stroke.side - now.side), ("ws", stroke.follow - now.follow)):
-        count = round(abs(tenths) * 1000.0)
-        yield from taps(keys[tenths < 0.0], count // 25, count % 25 // 5)
-    yield
-    set_ = loop.session.stroke
-    if abs(set_.heading - stroke.heading) > 1e-6 or abs(set_.speed - stroke.speed) > 1e-6:
-        raise RuntimeError(f"the keys set {set_} instead of {stroke}")
-
-
-def taps(key: str, coarse: int, fine: int) -> Iterator[None]:
-    """Press a key in coarse steps, then in fine ones."""
-    for count, shift in ((coarse, False), (fine, True)):
-        left = count
-        while left > 0:
-            yield from press(key, times=min(left, 30), shift=shift)
-            left -= 30
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Play one game; return 0 where it came to its end."""
-    parser = argparse.ArgumentParser(description="Play a whole game through the real window.")
-    parser.add_argument("variant")
-    parser.add_argument("--out", type=Path, required=True, help="folder for pictures and log")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
-    parser.add_argument("--players", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--size", default="1280x720")
-    parser.add_argument("--rate", type=int, default=200)
-    parser.add_argument("--most", type=int, default=400, help="give up after so many strokes")
-    parser.add_argument("--headless", action="store_true", help="no display is needed")
-    asked = parser.parse_args(arguments)
-    if asked.headless:
-        os.environ["SDL_VIDEODRIVER"] = "dummy"
-    asked.out.mkdir(parents=True, exist_ok=True)
-    player = Player(asked.out, Random(asked.seed), asked.most)
-    status = _run(asked, player)
-    (asked.out / "log.txt").write_text("\n".join(player.log) + "\n", encoding="utf-8")
-    return status or (0 if player.finished else 1)
-
-
-def _run(asked: argparse.Namespace, player: Player) -> int:
-    from engine.app.play import play  # noqa: PLC0415
-
-    width, _, height = asked.size.partition("x")
-    return play(
-        asked.variant,
-        players=asked.players,
-        settings=dict(one.split("=", 1) for one in asked.set),
-        size=(int(width), int(height)),
-        rate=asked.rate,
-        seed=asked.seed,
-        journal=asked.out / "journal.toml",
-        each=player.each,
-    )
-
-
-if __name__ == "__main__":
-    sys.exit(main())
