@@ -139,6 +139,22 @@ def keys() -> str:
     return f"| key | what it does |\n|---|---|\n{rows}\n"
 
 
+def key_tables() -> str:
+    """Return every key by groups, then what the mouse does."""
+    from engine.app.keys import BINDINGS, MOUSE, groups  # noqa: PLC0415
+
+    text = ""
+    for group in groups():
+        rows = [
+            f"| {one.shown} | {one.about}{'; with Shift in fine steps' * (one.takes == 'shift')} |"
+            for one in BINDINGS
+            if one.group == group
+        ]
+        text += f"\n### {group}\n\n| keys | what they do |\n|---|---|\n" + "\n".join(rows) + "\n"
+    rows = [f"| {what} | {about} |" for what, about in MOUSE]
+    return f"{text}\n### Mouse\n\n| hand | what it does |\n|---|---|\n" + "\n".join(rows) + "\n"
+
+
 def validation() -> str:
     """Return how many published figures are met, by group."""
     from tools.validate.adapters import run_check  # noqa: PLC0415
@@ -166,6 +182,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "phrases": phrases,
     "commands": commands,
     "keys": keys,
+    "key-tables": key_tables,
     "games": games,
     "validation": validation,
     "robustness": robustness,

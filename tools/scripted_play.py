@@ -73,7 +73,6 @@ def _play(asked: argparse.Namespace, game: str, size: tuple[int, int]) -> int:
     from engine.app.settings import Settings  # noqa: PLC0415
     from engine.variant.load import load_variant  # noqa: PLC0415
     from tools.scripted.player import Player  # noqa: PLC0415
-    from tools.scripted.player import Player  # noqa: PLC0415
 
     variant = load_variant(game)
     given = dict(one.split("=", 1) for one in asked.set)

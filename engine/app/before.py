@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 def begin(
     match: Match,
     stroke: Stroke = Stroke(),  # noqa: B008
-    aid: Aid = Aid.GHOST,
+    aid: Aid = Aid.OBJECT,
     timing: Timing | None = None,
 ) -> Session:
     """Return the session of a match at the shot it has come to; all its time is left by default."""

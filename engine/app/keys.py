@@ -75,7 +75,9 @@ BINDINGS: tuple[Binding, ...] = (
         ordered=True,
     ),
     Binding("struck", ("k",), "K", "strike another ball, where the rules allow it", AIM),
-    Binding("aid", ("t",), "T", "aiming aid: off, line, ghost ball, all paths", AIM),
+    Binding(
+        "aid", ("t",), "T", "aiming aid: off, line, ghost ball, the ball's path, all paths", AIM
+    ),
     Binding("confirm", ("space", "return", "enter"), "Space, Enter", "strike; accept; go on", AIM),
     Binding(
         "move",
@@ -114,8 +116,22 @@ BINDINGS: tuple[Binding, ...] = (
     Binding("wireframe", ("1",), "1", "draw as a wireframe", VIEW),
     Binding("painter", ("2",), "2", "draw by the painter's algorithm", VIEW),
     Binding("scanline", ("3",), "3", "draw by scanlines with a z-buffer", VIEW),
-    Binding("camera", ("c",), "C", "camera: from the cue, from above, free orbit", VIEW),
-    Binding("orbit", (",", "."), ", / .", "turn the free camera", VIEW, ordered=True),
+    Binding(
+        "camera",
+        ("c",),
+        "C",
+        "camera: from the cue, from above, free orbit, along with a ball",
+        VIEW,
+    ),
+    Binding("follow", ("z",), "Z", "go along with a ball; once more: with the next one", VIEW),
+    Binding(
+        "orbit",
+        (",", "."),
+        ", / .",
+        "turn the free camera, or the one along with a ball",
+        VIEW,
+        ordered=True,
+    ),
     Binding(
         "tilt",
         ("page up", "page down"),
@@ -128,6 +144,7 @@ BINDINGS: tuple[Binding, ...] = (
         "zoom", ("=", "-"), "+ / -", "nearer, farther (also the mouse wheel)", VIEW, ordered=True
     ),
     Binding("sound", ("m",), "M", "sound on or off", VIEW),
+    Binding("full-screen", ("f11",), "F11", "fill the screen, or no longer", VIEW),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
     Binding("arrange", ("i",), "I", "put balls anywhere; once more to play from there", PRACTICE),
     Binding("take-off", ("delete",), "Delete", "take the ball off, or bring it back", PRACTICE),

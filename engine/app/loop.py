@@ -15,6 +15,7 @@ import pygame
 from engine.app import commands
 from engine.app.arranging import LayoutError
 from engine.app.controls import Controls
+from engine.app.glide import Glide
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
 from engine.app.overlay import draw_called
@@ -27,7 +28,7 @@ from engine.app.showing import Showing
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time, take_up
-from engine.app.view import View, camera_of, stroke_seen
+from engine.app.view import View, camera_of, followed_place, stroke_seen, struck_ball
 from engine.app.wishes import Ask
 from engine.stage.stage import build_stage
 from engine.variant.library import VariantError
@@ -43,6 +44,8 @@ if TYPE_CHECKING:
     from engine.app.watching import Watch
     from engine.app.window import Window
     from engine.app.wishes import Wish
+    from engine.scene.camera import Camera
+    from engine.table.furniture import BallId, Point
 
 TEXT_SIZES = (1.0, 1.2, 1.45, 0.85)
 PAGE_KEYS = {"up": -1, "down": 1, "page up": -12, "page down": 12}
@@ -63,6 +66,7 @@ class Loop:
     text: float = 1.0
     speaker: Speaker = field(default_factory=Speaker)
     view: View = field(default_factory=View)
+    glide: Glide = field(default_factory=Glide)
     page: Page | None = None
     scroll: int = 0
     running: bool = True
@@ -74,6 +78,8 @@ class Loop:
     controls: Controls = field(default_factory=Controls)
     hud: Hud = field(init=False)
     _rate_shown: float = 0.0
+    _camera: Camera | None = None
+    _followed: Point | None = None
 
     def __post_init__(self) -> None:
         self.hud = Hud(Pen(self.window.surface), self.controls.keyboard.keymap)
@@ -110,6 +116,7 @@ class Loop:
             before = self.session
             self._set(pass_time(before, seconds, at_table=self.page is None))
             self.speaker.follow(before, self.session)
+            self._look(seconds)
             self.draw()
         self.window.show()
         self.frames += 1
@@ -121,11 +128,26 @@ class Loop:
 
     def screen(self) -> Screen:
         """Return where things are on the screen now."""
-        box = self.hud.picture_box()
-        ball, heading = stroke_seen(self.session)
-        table = self.session.variant.world.table
-        camera = camera_of(self.view, table, (box[2], box[3]), ball, heading)
-        return Screen(box, camera, self.view.camera, dict(self.hud.hot))
+        camera = self._camera or self._wanted_camera()
+        return Screen(self.hud.picture_box(), camera, self.view.camera, dict(self.hud.hot))
+
+    def _look(self, seconds: float) -> None:
+        """Let the eye go on its way to where it should be."""
+        session = self.session
+        moment = session.is_showing, len(session.match.played), session.mode is Mode.PLACING
+        view = self.view.camera, self.view.followed, moment
+        self._camera = self.glide.look(self._wanted_camera(), view, seconds)
+
+    def _wanted_camera(self) -> Camera:
+        """Return the camera as the view has it."""
+        box, session = self.hud.picture_box(), self.session
+        ball, heading = stroke_seen(session)
+        if self.view.camera == "follow":
+            places = self.showing.places(session)
+            struck = struck_ball(session)
+            self._followed = followed_place(self.view, places, struck, self._followed)
+        table, size = session.variant.world.table, (box[2], box[3])
+        return camera_of(self.view, table, size, ball, heading, self._followed)
 
     def _take(self, events: list[InputEvent], seconds: float) -> None:
         if self.page is not None:
@@ -192,6 +214,10 @@ class Loop:
                 self.renderer = ask.action
             case "camera":
                 self.view = self.view.next_camera()
+            case "follow":
+                self.view = self.view.following(self._balls_seen())
+            case "full-screen":
+                self.window.toggle_full_screen()
             case "zoom":
                 self.view = self.view.zoomed(ask.amount)
             case "orbit":
@@ -219,6 +245,14 @@ class Loop:
                 self.running, self.wants_another = False, True
             case "quit":
                 self.running = False
+
+    def _balls_seen(self) -> list[BallId]:
+        """Return the balls that can be followed, the one struck left out."""
+        struck = struck_ball(self.session)
+        there = self.session.layout
+        return [
+            kind.id for kind in self.session.variant.balls if kind.id in there and kind.id != struck
+        ]
 
     def _lay(self) -> None:
         """Lay out the next layout that was kept, or say why not."""

@@ -51,6 +51,7 @@ class Aid(Enum):
     OFF = "off"
     LINE = "line"
     GHOST = "ghost"
+    OBJECT = "object"
     ALL = "all"
 
 
@@ -91,7 +92,7 @@ class Session:
     note: str = ""
     trouble: str = ""
     later: tuple[Match, ...] = ()
-    aid: Aid = Aid.GHOST
+    aid: Aid = Aid.OBJECT
 
     @property
     def variant(self) -> Variant:

@@ -38,7 +38,7 @@ class Settings(BaseModel):
     height: int = Field(720, ge=320, le=4320)
     text: float = Field(1.0, ge=0.5, le=3.0)
     volume: float = Field(0.7, ge=0.0, le=1.0)
-    aid: Literal["off", "line", "ghost", "all"] = "ghost"
+    aid: Literal["off", "line", "ghost", "object", "all"] = "object"
     keys: dict[str, str | list[str]] = Field(default_factory=dict)
 
     @property

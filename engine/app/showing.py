@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from math import radians
 from typing import TYPE_CHECKING
 
-from engine.app.prediction import Prediction, predict
+from engine.app.prediction import Foretelling
 from engine.app.session import BEFORE_STROKE, SWING, Aid, Mode, Session
 from engine.app.turning import Turning
 from engine.game.situation import cue_ball_of
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from engine.app.prediction import Prediction
     from engine.scene.camera import Camera, Vector
     from engine.scene.scene import Scene
     from engine.stage.stage import Stage
@@ -34,6 +35,8 @@ FACING = facing()
 GOLD = (250, 196, 70)
 WHITE = (240, 240, 240)
 BLUE = (110, 170, 255)
+SPARE = 0.006
+"""Seconds of a frame that looking at the coming stroke may take."""
 DRAWN_BACK = 0.30
 """How far (m) the cue is drawn back for the hardest stroke."""
 
@@ -47,6 +50,8 @@ class Showing:
     _settled: dict[BallId, NDArray[np.float64]] = field(default_factory=dict)
     _turning: Turning | None = None
     _asked: object = None
+    _table: object = None
+    _foretelling: Foretelling | None = None
     _answer: Prediction | None = None
 
     def scene(self, session: Session, camera: Camera) -> Scene:
@@ -148,15 +153,31 @@ class Showing:
         return aids, discs
 
     def _aim(self, session: Session) -> list[Mesh | Polyline]:
-        """Return the lines of the aiming aid, from the physics itself."""
+        """Return the lines of the aiming aid, from the physics itself.
+
+        While a stroke is still being looked at, the one before it on the same table is shown.
+        """
         place = session.cue_place
         if session.aid is Aid.OFF or place is None:
             return []
-        lying = session.ahead.rest.positions
-        asked = (session.stroke, place, lying, session.cue_ball, session.aid)
-        if asked != self._asked or self._answer is None:
-            self._asked, self._answer = asked, predict(session)
-        return draw_prediction(self._answer, session.aid) if self._answer else []
+        self._foretell(session)
+        if self._answer is None or self._table is not session.ahead.rest:
+            return []
+        return draw_prediction(self._answer, session.aid)
+
+    def _foretell(self, session: Session) -> None:
+        """Go on with what is looked at, for as long as a frame can spare."""
+        rest = session.ahead.rest
+        asked = (session.stroke, session.cue_place, rest, session.cue_ball, session.aid)
+        if self._foretelling is None and asked != self._asked:
+            self._asked, self._foretelling = asked, Foretelling(session)
+        if self._foretelling is None:
+            return
+        self._foretelling.go_on(SPARE)
+        if self._foretelling.done:
+            self._answer = self._foretelling.answer
+            self._table = self._foretelling.session.ahead.rest
+            self._foretelling = None
 
 
 def draw_zone(zone: Zone, table: Table, radius: float) -> list[Mesh | Polyline]:
@@ -178,6 +199,5 @@ def draw_prediction(seen: Prediction, aid: Aid) -> list[Mesh | Polyline]:
         lines.append(flat_ring(seen.contact, seen.radius, WHITE, 0.003))
         if len(seen.object_way) > 1:
             lines.append(flat_path(seen.object_way, GOLD, 0.004, 0.9))
-    if aid is Aid.ALL:
-        lines += [flat_path(way, (190, 200, 215), 0.003, 0.6) for way in seen.ways if len(way) > 1]
+    lines += [flat_path(way, (190, 200, 215), 0.003, 0.6) for way in seen.ways if len(way) > 1]
     return lines

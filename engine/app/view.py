@@ -10,33 +10,44 @@ from math import hypot, pi, radians
 from typing import TYPE_CHECKING
 
 from engine.game.situation import cue_ball_of
-from engine.scene.camera import ground_point, ray
+from engine.scene.camera import ground_point, orbit, ray
 from engine.stage.cameras import above_camera, cue_camera, orbit_camera
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from engine.app.session import Session
-    from engine.scene.camera import Camera, Pixel, Size
+    from engine.scene.camera import Camera, Pixel, Size, Vector
     from engine.table.furniture import BallId, PocketId, Point, Table
     from engine.variant.variant import Variant
 
-CAMERAS = ("cue", "above", "orbit")
+CAMERAS = ("cue", "above", "orbit", "follow")
 
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """The camera in use, angles of the free one in rad, and how near each is."""
+    """The camera in use, angles of the free one in rad, how near each is, the ball followed.
+
+    Without a ball of his own choice the player follows the one that is struck.
+    """
 
     camera: str = "above"
     azimuth: float = pi * 1.1
     elevation: float = radians(38.0)
     zoom: float = 1.0
+    followed: BallId | None = None
 
     def next_camera(self) -> View:
         """Return the view from the next camera."""
         later = CAMERAS[(CAMERAS.index(self.camera) + 1) % len(CAMERAS)]
         return replace(self, camera=later, zoom=1.0)
+
+    def following(self, balls: Sequence[BallId]) -> View:
+        """Return the view that follows the next of `balls`, the one struck after the last."""
+        if self.camera != "follow" or not balls:
+            return replace(self, camera="follow", zoom=1.0)
+        place = balls.index(self.followed) + 1 if self.followed in balls else 0
+        return replace(self, followed=balls[place] if place < len(balls) else None)
 
     def zoomed(self, notches: float) -> View:
         """Return the view nearer by notches of the wheel, or farther."""
@@ -48,14 +59,27 @@ class View:
         return replace(self, azimuth=self.azimuth + azimuth, elevation=steep)
 
 
-def camera_of(view: View, table: Table, size: Size, ball: Point | None, heading: float) -> Camera:
-    """Return the camera for a window of `size`; `ball` and `heading` (rad) are the stroke's."""
+def camera_of(
+    view: View,
+    table: Table,
+    size: Size,
+    ball: Point | None,
+    heading: float,
+    followed: Point | None = None,
+) -> Camera:
+    """Return the camera for a window of `size`; `ball` and `heading` (rad) are the stroke's.
+
+    `followed` is where the ball is (m) that the camera follows.
+    """
     if view.camera == "cue" and ball is not None:
         near = 1.0 / view.zoom
         return cue_camera(table, ball, heading, back=0.85 * near, height=0.42 * near**0.7)
     if view.camera == "orbit":
         away = (1.22 * table.length + 0.4) / view.zoom
         return orbit_camera(table, view.azimuth, view.elevation, away)
+    if view.camera == "follow":
+        x, y = followed or ball or (0.0, 0.0)
+        return orbit((x, y, 0.0), view.azimuth, view.elevation, 1.7 / view.zoom, radians(42.0))
     return _nearer(above_camera(table, size[0] / size[1]), view.zoom, ball)
 
 
@@ -104,11 +128,29 @@ def pocket_under(camera: Camera, size: Size, pixel: Pixel, variant: Variant) -> 
     return None
 
 
+def followed_place(
+    view: View, places: Mapping[BallId, Vector], struck: BallId, last: Point | None
+) -> Point | None:
+    """Return where the ball is that the view follows, from where balls are (m).
+
+    One that is gone is looked for where it was `last`.
+    """
+    there = places.get(view.followed or struck)
+    return (there[0], there[1]) if there is not None and there[2] > 0.0 else last
+
+
+def struck_ball(session: Session) -> BallId:
+    """Return the ball of the stroke shown, or of the one to come."""
+    last = session.last_stroke
+    if session.is_showing and last is not None:
+        return last.shot.struck or cue_ball_of(session.variant, last.before.shooter)
+    return session.cue_ball
+
+
 def stroke_seen(session: Session) -> tuple[Point | None, float]:
     """Return where the cue ball of the stroke shown lies, and the heading in rad."""
     last = session.last_stroke
     if session.is_showing and last is not None and last.shot.strike is not None:
-        ball = last.shot.struck or cue_ball_of(session.variant, last.before.shooter)
-        place = last.shot.placement or last.before.rest.positions.get(ball)
+        place = last.shot.placement or last.before.rest.positions.get(struck_ball(session))
         return place, last.shot.strike.heading
     return session.cue_place, radians(session.stroke.heading)

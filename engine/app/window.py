@@ -32,6 +32,8 @@ class Window:
     """The window's surface, 32 bits a pixel."""
 
     surface: pygame.Surface
+    _before: tuple[int, int] | None = None
+    """The size to go back to from the full screen."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -42,7 +44,7 @@ class Window:
         """Return what happened since the last call, in order; takes up a new size."""
         found: list[inputs.InputEvent] = []
         for event in pygame.event.get():
-            if event.type == pygame.VIDEORESIZE:
+            if event.type == pygame.VIDEORESIZE and not self.is_full:
                 wanted = max(event.w, SMALLEST[0]), max(event.h, SMALLEST[1])
                 self.surface = pygame.display.get_surface() or self.surface
                 if wanted != self.size:
@@ -62,6 +64,24 @@ class Window:
     def entitle(self, title: str) -> None:
         """Write a title on the window's frame."""
         pygame.display.set_caption(title)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether the window fills the screen."""
+        return self._before is not None
+
+    def toggle_full_screen(self) -> None:
+        """Fill the screen, or go back to the size before."""
+        if self._before is not None:
+            size, self._before = self._before, None
+            _set_mode(size)  # the first leaves the full screen, the second takes up the size
+            self.surface = _set_mode(size)
+            pygame.event.clear(pygame.VIDEORESIZE)
+            return
+        self._before = self.size
+        sizes = pygame.display.get_desktop_sizes()
+        screen = sizes[0] if sizes else self.size
+        self.surface = pygame.display.set_mode(screen, pygame.FULLSCREEN, 32)
 
     def show(self) -> None:
         """Bring what was drawn to the screen."""

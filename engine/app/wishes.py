@@ -39,6 +39,8 @@ WINDOW = (
     "painter",
     "scanline",
     "camera",
+    "follow",
+    "full-screen",
     "keep",
     "lay",
     "sound",

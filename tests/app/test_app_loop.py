@@ -7,12 +7,14 @@ import numpy as np
 import pygame
 import pytest
 
+from engine.app.glide import Glide
 from engine.app.inputs import CloseAsked, KeyPressed, KeyReleased
 from engine.app.pages import MENU, Page
 from engine.app.play import Sitting, make_loop, newest_journal, play
 from engine.app.session import Mode
 from engine.app.settings import Settings
 from engine.app.startup import Startup
+from engine.app.view import View
 from engine.app.window import close_window, open_window
 from engine.records.journal import resume
 from engine.variant.load import load_variant
@@ -66,12 +68,59 @@ def test_one_two_three_switch_the_renderer_also_while_balls_roll(loop):
     assert (seen["painter"] != seen["scanline"]).mean() > 0.01
 
 
-def test_the_camera_key_goes_through_three_cameras(loop):
+def test_the_camera_key_goes_through_four_cameras(loop):
     seen = []
-    for _ in range(3):
+    for _ in range(4):
         press(loop, "c")
         seen.append(loop.view.camera)
-    assert sorted(seen) == ["above", "cue", "orbit"]
+    assert sorted(seen) == ["above", "cue", "follow", "orbit"]
+
+
+def test_a_change_of_camera_is_gone_through_in_time_not_in_frames(loop):
+    wanted = {}
+    for rate in (30, 120):
+        loop.view, loop.glide = View(), Glide()
+        loop.frame([], 0.0)
+        start = loop.screen().camera
+        press(loop, "c")
+        for _ in range(rate // 5):
+            loop.frame([], 1.0 / rate)
+        halfway = loop.screen().camera
+        assert halfway.eye != start.eye
+        assert loop.glide.is_moving
+        for _ in range(rate):
+            loop.frame([], 1.0 / rate)
+        assert not loop.glide.is_moving
+        assert loop.screen().camera.eye != halfway.eye
+        wanted[rate] = halfway.eye
+    assert wanted[30] == pytest.approx(wanted[120], abs=0.2)
+
+
+def test_the_camera_goes_along_with_the_ball_that_is_struck(loop):
+    loop.glide.time = 0.0
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "z", "space")
+    targets = []
+    for _ in range(20):
+        loop.frame([], 0.05)
+        targets.append(loop.screen().camera.target[:2])
+    gone = loop.showing.places(loop.session)[loop.session.cue_ball][:2]
+    assert targets[-1] == pytest.approx(gone)
+    assert np.hypot(*np.subtract(targets[-1], targets[0])) > 0.1
+    press(loop, "z")
+    assert loop.view.followed is not None
+
+
+def test_the_window_fills_the_screen_and_goes_back(loop):
+    before = loop.window.size
+    press(loop, "f11")
+    assert loop.window.is_full
+    loop.frame([], 0.0)
+    press(loop, "f11")
+    loop.frame([], 0.0)
+    assert not loop.window.is_full
+    assert loop.window.size == before
 
 
 def test_a_held_key_turns_as_far_at_any_rate(loop):

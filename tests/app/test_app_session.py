@@ -232,6 +232,7 @@ def test_the_aids_come_round(start):
         session = do(session, commands.ChangeAid())
         seen.append(session.aid)
     assert set(seen) == set(Aid)
+    assert len(seen) == 5
 
 
 def test_keys_of_another_mode_change_nothing(start):
