@@ -8,10 +8,10 @@ compares them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rulelang.reading import Token, tokens_of
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -23,7 +23,7 @@ Step = int | tuple[int, str, str, bool, tuple[tuple[int, bool, int], ...] | None
 """What to do at a token: go to a state, or make a node of what lies on top; see Recipe.made."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Recipe:
     """How a rule of the grammar makes a node of its `size` parts.
 

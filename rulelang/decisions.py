@@ -6,8 +6,10 @@ Invariant: players are numbers from 1, balls, spots and zones are names, all res
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -15,7 +17,7 @@ if TYPE_CHECKING:
     from rulelang.vocabulary import Tracked
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Foul:
     """A foul with its worth in penalty points and the rule that found it."""
 
@@ -25,7 +27,7 @@ class Foul:
     cites: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Place:
     """One place that a spotted ball may go to, tried in order until one is free.
 
@@ -40,7 +42,7 @@ class Place:
     toward: str = "foot"
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Spot:
     """Put `ball` back at the first of `places` that is free."""
 
@@ -48,26 +50,26 @@ class Spot:
     places: tuple[Place, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Remove:
     """Take `ball` off the table for good."""
 
     ball: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rerack:
     """Rack all balls anew, but leave `keeping` where they lie."""
 
     keeping: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Restore:
     """Put the whole position back as it was before the stroke."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class SetUp:
     """Set pins up again; one whose place a ball takes waits until it is set up the next time."""
 
@@ -77,7 +79,7 @@ class SetUp:
 TableAction = Spot | Remove | SetUp | Rerack | Restore
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class InHand:
     """The cue ball of the next shot is in hand in `zone`; None: it is played where it lies."""
 
@@ -85,7 +87,7 @@ class InHand:
     zone: str | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Offer:
     """`player` may choose `option`; `key` finds its consequences in the Program."""
 
@@ -94,7 +96,7 @@ class Offer:
     key: int
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Ending:
     """`unit` ("game" or "match") is over; `winner` 0 is a draw."""
 
@@ -102,7 +104,7 @@ class Ending:
     winner: int
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class RuleOutcome:
     """How one rule fared: "fired", "silent" (its condition was false) or "overridden".
 
@@ -122,7 +124,7 @@ class RuleOutcome:
     file: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Required:
     """What the player must announce before the shot: "ball", "pocket", "ball-or-safety" ..."""
 
@@ -130,7 +132,7 @@ class Required:
     what: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Admission:
     """What binds and what is open before a shot.
 
@@ -144,7 +146,7 @@ class Admission:
     strikable: frozenset[str] = frozenset()
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Decisions:
     """Everything decided, ready to be carried out.
 

@@ -6,13 +6,13 @@ all mistakes of a file come together, never one at a time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rulelang.values import value
 
 _WIDEST, _BEFORE = 200, 60
 """Of a longer line only a stretch is shown, from so much before the mistake."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Diagnostic:
     """One mistake; `line` and `column` count from 1, `snippet` is the source line.
 

@@ -6,10 +6,10 @@ None where nobody measured it. Names are those of the variant.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rulelang.values import value
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class BallsHit:
     """`ball` touched each of `others` at once; the cue ball is named first."""
 
@@ -18,7 +18,7 @@ class BallsHit:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class CushionHit:
     """A ball touched a cushion, or was pressed into one that it was frozen to."""
 
@@ -27,7 +27,7 @@ class CushionHit:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class CushionLeft:
     """A ball frozen to a cushion at the start came clear of it."""
 
@@ -36,7 +36,7 @@ class CushionLeft:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class JawHit:
     """A ball touched a jaw of a pocket."""
 
@@ -45,7 +45,7 @@ class JawHit:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class OutsideHit:
     """A ball touched something that is no part of the table and came back."""
 
@@ -53,7 +53,7 @@ class OutsideHit:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Pocketed:
     """A ball went into a pocket and stayed there."""
 
@@ -62,7 +62,7 @@ class Pocketed:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rebounded:
     """A ball came back to the bed out of a pocket."""
 
@@ -71,7 +71,7 @@ class Rebounded:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Settled:
     """A ball fell into a pocket `delay` seconds after all balls had stopped."""
 
@@ -81,7 +81,7 @@ class Settled:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class LeftTable:
     """A ball ended neither on the bed nor in a pocket."""
 
@@ -89,7 +89,7 @@ class LeftTable:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class LineCrossed:
     """A ball passed a line, either way."""
 
@@ -98,7 +98,7 @@ class LineCrossed:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ZoneEntered:
     """A ball came into a zone."""
 
@@ -107,7 +107,7 @@ class ZoneEntered:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ZoneLeft:
     """A ball went out of a zone."""
 
@@ -116,7 +116,7 @@ class ZoneLeft:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class JumpedOver:
     """A ball passed over another in the air."""
 
@@ -125,7 +125,7 @@ class JumpedOver:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PinToppled:
     """One body, or several at once, made a pin fall."""
 
@@ -134,7 +134,7 @@ class PinToppled:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PinTouched:
     """A body touched a pin without toppling it, or after it was down."""
 
@@ -143,7 +143,7 @@ class PinTouched:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PinLeaned:
     """A pin came to rest against a ball."""
 
@@ -152,7 +152,7 @@ class PinLeaned:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class TipHitAgain:
     """The tip touched the ball a second time in the stroke."""
 
@@ -160,7 +160,7 @@ class TipHitAgain:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class TipFollowed:
     """The tip stayed with the ball: a push."""
 
@@ -168,7 +168,7 @@ class TipFollowed:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PlayerTouched:
     """Body, clothes or cue touched a ball, the stroke itself apart."""
 
@@ -176,28 +176,28 @@ class PlayerTouched:
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class FootLifted:
     """No foot was on the floor at the stroke (`foot off floor`)."""
 
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PlayedTooSoon:
     """The stroke was played before all balls were at rest (`balls moving`)."""
 
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class StrokeOmitted:
     """The turn ended without a stroke (`no stroke`)."""
 
     time: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class TimeCalled:
     """Time ran out while the shot was going on."""
 

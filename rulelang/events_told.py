@@ -7,10 +7,10 @@ one function turns rows into closures. Invariant: a closure's answer depends on 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rulelang import watch as w
+from rulelang.values import value
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ FLAGS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Telling:
     """A verb with its target: `select` the balls that did it, `find` the events.
 

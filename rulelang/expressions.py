@@ -7,7 +7,6 @@ Invariant: nothing is looked up by name at run time but tracked values, facts an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
@@ -15,6 +14,7 @@ from rulelang import syntax as s
 from rulelang.closures import derive, kind_mend
 from rulelang.code import Code, Mistake
 from rulelang.scope import nearest
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rulelang.watch import Watch
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Constructs:
     """How each construct is compiled; a bare word with the sort of name that is preferred."""
 

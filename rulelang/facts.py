@@ -8,9 +8,11 @@ and a predicate on what nobody gave is false. Players count from 1.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from rulelang.decisions import TableAction
@@ -22,7 +24,7 @@ Predicate = Callable[[frozenset[str], "tuple[TableAction, ...]", str | None], "V
 Nothing: Mapping[str, Value] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Situation:
     """The game before a shot.
 
@@ -53,7 +55,7 @@ class Situation:
     winner: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Call:
     """What was announced; a nominated ball has no pocket."""
 
@@ -63,7 +65,7 @@ class Call:
     group: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rest:
     """The table at rest, before the referee touches a ball; `spots` says who covers a spot."""
 
@@ -72,7 +74,7 @@ class Rest:
     spots: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Shot:
     """One shot as the rules see it.
 

@@ -7,13 +7,13 @@ Invariant: an error here happens in some shot; what only looks wrong is a warnin
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rulelang import syntax as s
 from rulelang.closures import singles
 from rulelang.code import Mistake
 from rulelang.formatting import plain
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -31,7 +31,7 @@ _MOST_PAIRS = 100_000
 """How many pairs of decisions are compared; no game for people has a hundredth of them."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class _Deed:
     """One decision with one value: under which statements, what about, and which value."""
 

@@ -8,10 +8,10 @@ Invariant: a line that parses is never looked at.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from difflib import get_close_matches
 
 from rulelang.program import SECTIONS
+from rulelang.values import value
 
 _VERBS = r"(?:pocketed|hit|left|crossed|entered|jumped|toppled|touched|rebounded|settled|pressed)"
 _HEADS = r"(?:rule|if|for|otherwise|define|offer|at|track|fact|phases|zones|uses|game|language)\b"
@@ -24,7 +24,7 @@ _OTHERS = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Meant:
     """What stands wrong in a line: `column` from 1, how wide, what it is and what it should be."""
 

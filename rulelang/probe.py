@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -38,7 +39,7 @@ WRONG = {
 """What is done to a site of each kind to see whether anybody notices."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Site:
     """One place of a script that is watched; `text` is what stands there.
 

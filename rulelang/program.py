@@ -6,8 +6,10 @@ changes and may serve many threads. Invariant: a Program has no mistake of its a
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -21,7 +23,7 @@ STAGE = {name: number for number, name in enumerate(SECTIONS)}
 CONSEQUENCE = len(SECTIONS)
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Track:
     """A tracked value: `scope` is "shot", "turn", "game" or "match".
 
@@ -37,7 +39,7 @@ class Track:
     per_side: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Timer:
     """Seconds that run anew for each `per`: "shot", "turn", "game" or "match"."""
 
@@ -46,7 +48,7 @@ class Timer:
     per: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class FactDecl:
     """A fact that only an eye, or positions, can tell; `kind` as in a script, `values` allowed."""
 
@@ -57,7 +59,7 @@ class FactDecl:
     predicate: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class RuleInfo:
     """A rule as the script tells it; `text` is its source."""
 
@@ -69,14 +71,14 @@ class RuleInfo:
     line: int
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Reading:
     """One tested condition of a rule, for the explanation."""
 
     code: Code
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class CompiledRule:
     """A rule's closure and what it overrides, by numbers of rules.
 
@@ -97,7 +99,7 @@ class CompiledRule:
     phases: frozenset[str] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Consequence:
     """What happens when an option is chosen; `to` is the word of who it is offered to."""
 
@@ -109,7 +111,7 @@ class Consequence:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Program:
     """A whole game's rules, compiled against one vocabulary.
 

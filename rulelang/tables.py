@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 from contextlib import suppress
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from zlib import crc32
 
 from rulelang.automaton import Automaton, Recipe
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -25,7 +25,7 @@ _MOST = 2_000_000
 """No file of tables has so many bytes."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Tables:
     """What an Automaton is made of."""
 

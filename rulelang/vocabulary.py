@@ -5,9 +5,11 @@ One idea: the language knows the words of cue sports and learns every name of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -19,7 +21,7 @@ Tracked = Value | tuple[Value, ...]
 """A tracked value: one, or one per player."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class BallName:
     """A ball: its value in points, the groups it belongs to, its own spot."""
 
@@ -29,7 +31,7 @@ class BallName:
     spot: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Vocabulary:
     """Every name of one variant; `cue_balls` has one for all players or one per player."""
 

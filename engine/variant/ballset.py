@@ -88,9 +88,9 @@ def _mentions(written: Iterable[str]) -> list[str]:
 
 
 def _overlay(base: BallShape, top: BallShape) -> BallShape:
-    said = {key: getattr(top, key) for key in top.model_fields_set}
+    said = top.said()
     said["groups"] = [*base.groups, *(name for name in top.groups if name not in base.groups)]
-    return base.model_copy(update=said)
+    return base.changed(**said)
 
 
 def ball_kinds(balls: Mapping[str, BallShape], report: Report) -> tuple[BallKind, ...]:

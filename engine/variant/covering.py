@@ -48,7 +48,7 @@ def cover(table: Table, shape: TableShape, rubber: Rubber, report: Report) -> Ta
 
 
 def _own(base: Rubber, said: CushionShape) -> Rubber:
-    written = said.model_dump(exclude_none=True, exclude={"model"})
+    written = {key: value for key, value in said.said().items() if key != "model"}
     return replace(base, **written)
 
 

@@ -1,7 +1,7 @@
 """The kinds of field a variant file has: quantities, names, colours, places.
 
-One idea: each kind is an annotated type whose validator speaks in codes and mends, so pydantic's
-own list of errors becomes the author's list of mistakes.
+One idea: each kind is an annotated type whose reader speaks in codes and mends, so the list of
+errors of pydantic's core becomes the author's list of mistakes.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import math
 import re
 from typing import Annotated
 
-from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from engine.variant.quantity import (
@@ -22,6 +21,7 @@ from engine.variant.quantity import (
     QuantityError,
     read_quantity,
 )
+from engine.variant.shape import After, Before, Bounds, Told
 
 _KEBAB = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 _STEM = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*")
@@ -112,11 +112,11 @@ def _opening(value: float) -> float:
     return value
 
 
-def _written(noun: str, units: str, reckoned: str = "") -> WithJsonSchema:
+def _written(noun: str, units: str, reckoned: str = "") -> Told:
     """Return what an editor is told of a quantity: a number, or a text with a unit."""
     text = {"type": "string", "maxLength": 120, "pattern": rf"({units})\b{reckoned}|^[ 0.+-]*0$|°"}
     number = {"type": "number", "minimum": -1e6, "maximum": 1e6}
-    return WithJsonSchema({"anyOf": [number, text], "description": f"{noun}."})
+    return Told({"anyOf": [number, text], "description": f"{noun}."})
 
 
 _A_LENGTH = _written(
@@ -129,30 +129,26 @@ _A_COORDINATE = _written(
 )
 _A_MASS = _written('A mass, such as "170 g"; a plain number is kilograms', "kg|g|oz|lb")
 _AN_ANGLE = _written('An angle, such as "142 deg"; a plain number is radians', "rad|deg")
-_A_NAME = WithJsonSchema(
-    {"type": "string", "pattern": f"^{_KEBAB.pattern}$", "maxLength": _LONGEST_NAME}
-)
-_A_STEM = WithJsonSchema(
-    {"type": "string", "pattern": f"^{_STEM.pattern}$", "maxLength": _LONGEST_NAME}
-)
-_A_COLOUR = WithJsonSchema({"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"})
+_A_NAME = Told({"type": "string", "pattern": f"^{_KEBAB.pattern}$", "maxLength": _LONGEST_NAME})
+_A_STEM = Told({"type": "string", "pattern": f"^{_STEM.pattern}$", "maxLength": _LONGEST_NAME})
+_A_COLOUR = Told({"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"})
 
-Metres = Annotated[float, BeforeValidator(lambda written: _quantity(LENGTH, written)), _A_LENGTH]
-Size = Annotated[Metres, AfterValidator(_above_zero), AfterValidator(_of_a_room)]
-Gap = Annotated[Metres, AfterValidator(_not_below_zero)]
+Metres = Annotated[float, Before(lambda written: _quantity(LENGTH, written)), _A_LENGTH]
+Size = Annotated[Metres, After(_above_zero), After(_of_a_room)]
+Gap = Annotated[Metres, After(_not_below_zero)]
 Kilograms = Annotated[
     float,
-    BeforeValidator(lambda written: _quantity(MASS, written)),
-    AfterValidator(_above_zero),
-    AfterValidator(_of_a_hand),
+    Before(lambda written: _quantity(MASS, written)),
+    After(_above_zero),
+    After(_of_a_hand),
     _A_MASS,
 ]
-Radians = Annotated[float, BeforeValidator(lambda written: _quantity(ANGLE, written)), _AN_ANGLE]
-Cut = Annotated[Radians, AfterValidator(_opening)]
-Coordinate = Annotated[Expression, BeforeValidator(_expression), _A_COORDINATE]
-Name = Annotated[str, AfterValidator(_kebab), _A_NAME]
-Stem = Annotated[str, AfterValidator(_stem), _A_STEM]
-Rgb = Annotated[tuple[int, int, int], BeforeValidator(_colour), _A_COLOUR]
-Fraction = Annotated[float, Field(ge=0, le=1)]
-Factor = Annotated[float, Field(ge=0, le=1000)]
-Slope = Annotated[float, Field(ge=-1000, le=1000)]
+Radians = Annotated[float, Before(lambda written: _quantity(ANGLE, written)), _AN_ANGLE]
+Cut = Annotated[Radians, After(_opening)]
+Coordinate = Annotated[Expression, Before(_expression), _A_COORDINATE]
+Name = Annotated[str, After(_kebab), _A_NAME]
+Stem = Annotated[str, After(_stem), _A_STEM]
+Rgb = Annotated[tuple[int, int, int], Before(_colour), _A_COLOUR]
+Fraction = Annotated[float, Bounds(ge=0, le=1)]
+Factor = Annotated[float, Bounds(ge=0, le=1000)]
+Slope = Annotated[float, Bounds(ge=-1000, le=1000)]

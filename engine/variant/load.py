@@ -10,7 +10,7 @@ import tomllib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pydantic import ValidationError
+from pydantic_core import ValidationError
 
 from engine.variant.assemble import Draft, assemble
 from engine.variant.library import (
@@ -166,7 +166,7 @@ def _read(path: Path) -> _Reading:
         return reading
     reading.report = Report(opened.node, opened.diagnostics)
     try:
-        spec = VariantSpec.model_validate(opened.node.plain())
+        spec = VariantSpec.read(opened.node.plain())
     except ValidationError as error:
         reading.report.add_shape_errors(error, opened.broken)
         _check_the_rest(opened.node, error, reading.report)
@@ -253,7 +253,7 @@ def _check_the_rest(node: Node, error: ValidationError, report: Report) -> None:
         if one["type"] != "extra_forbidden":
             _stand_in(plain, path)
     try:
-        spec = VariantSpec.model_validate(plain)
+        spec = VariantSpec.read(plain)
     except ValidationError:
         return
     second = Report(node)

@@ -228,7 +228,7 @@ def with_bodies(
 
 
 def _post(name: CushionId, at: Point, radius: float, shape: PostShape) -> Cushion:
-    rubber = Rubber(**shape.rubber.model_dump()) if shape.rubber else None
+    rubber = Rubber(**shape.rubber.held()) if shape.rubber else None
     circle = Curve(at, radius, 0.0, -tau)
     return Cushion(name, (circle,), rubber, upright=shape.upright)
 

@@ -12,15 +12,12 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
-from pydantic import BaseModel
-
 from engine.variant.spec import VariantSpec
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping
 
-    from pydantic import ValidationError
-    from pydantic_core import ErrorDetails
+    from pydantic_core import ErrorDetails, ValidationError
 
     from engine.variant.locate import KeyPath
     from engine.variant.source import Node
@@ -37,7 +34,8 @@ class Report:
 
     root: Node
     diagnostics: list[Diagnostic] = field(default_factory=list)
-    shape: type[BaseModel] = VariantSpec
+    shape: Any = VariantSpec
+    """The class that has the keys of the file as its `model_fields`."""
 
     def add(
         self, code: str, path: KeyPath, message: str, mend: str = "", *, on_key: bool = False
@@ -56,7 +54,7 @@ class Report:
         self.add(code, path, f"there is no {what} called `{name}`", nearest(name, known))
 
     def add_shape_errors(self, error: ValidationError, broken: Collection[str]) -> None:
-        """Add every mistake that pydantic found, save what is missing in a `broken` part."""
+        """Add every mistake of shape that was found, save what is missing in a `broken` part."""
         missing: dict[KeyPath, list[str]] = {}
         for one in error.errors(include_url=False):
             if one["type"] != "missing":
@@ -186,12 +184,12 @@ def nearest_of(name: str, known: list[str]) -> str:
     return f"did you mean `{close[0]}`? {allowed}" if close else allowed
 
 
-def _known_keys(shape: type[BaseModel], path: KeyPath) -> list[str]:
+def _known_keys(shape: Any, path: KeyPath) -> list[str]:
     """Return the keys that the model at `path` below the whole file knows."""
     model: Any = shape
     for key in path:
         model = _model_in(model)
-        if model is not None and issubclass(model, BaseModel) and key in model.model_fields:
+        if model is not None and key in model.model_fields:
             model = model.model_fields[str(key)].annotation
     model = _model_in(model)
     variant = shape is VariantSpec
@@ -203,7 +201,7 @@ def _known_keys(shape: type[BaseModel], path: KeyPath) -> list[str]:
 def _model_in(annotation: Any) -> Any:
     """Return the model class inside an annotation such as `dict[Name, Model] | None`."""
     if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
-        return annotation if issubclass(annotation, BaseModel) else None
+        return annotation if hasattr(annotation, "model_fields") else None
     for inner in reversed(typing.get_args(annotation)):
         found = _model_in(inner)
         if found is not None:

@@ -1,15 +1,11 @@
-"""The shape of a variant file, as pydantic models.
+"""The shape of a variant file, as classes of tables.
 
-One idea: these models say which keys exist and what each may hold; whether the names in them
+One idea: these classes say which keys exist and what each may hold; whether the names in them
 fit together is judged afterwards. Invariant: nothing unknown gets through, and no value is
 silently converted.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
-
-from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from engine.variant.fields import (
     Factor,
@@ -22,7 +18,8 @@ from engine.variant.fields import (
     Stem,
     mistake,
 )
-from engine.variant.table_spec import MANY, Point, Shape, TableShape
+from engine.variant.shape import Before, Bounds, Shape, Told, empty
+from engine.variant.table_spec import MANY, Point, TableShape
 
 
 class Contact(Shape):
@@ -53,13 +50,13 @@ class BallShape(Shape):
     mass: Kilograms | None = None
     colour: Rgb | None = None
     pattern: Literal["plain", "stripe", "dots"] | None = None
-    label: str | None = Field(default=None, max_length=8)
-    value: Annotated[int | Literal["number"] | None, BeforeValidator(_worth)] = None
-    groups: list[Name] = Field(default_factory=list)
+    label: Annotated[str, Bounds(max_length=8)] | None = None
+    value: Annotated[int | Literal["number"] | None, Before(_worth)] = None
+    groups: list[Name] = empty(list)
     spot: Name | None = None
-    sliding: Annotated[float, Field(gt=0, le=1000)] | None = None
-    rolling: Annotated[float, Field(gt=0, le=1000)] | None = None
-    spin_deceleration: Annotated[float, Field(gt=0, le=1000)] | None = None
+    sliding: Annotated[float, Bounds(gt=0, le=1000)] | None = None
+    rolling: Annotated[float, Bounds(gt=0, le=1000)] | None = None
+    spin_deceleration: Annotated[float, Bounds(gt=0, le=1000)] | None = None
     restitution: Fraction | None = None
     grip: Factor | None = None
 
@@ -71,7 +68,7 @@ class BallSet(Shape):
     diameter: Size
     mass: Kilograms
     contact: Contact
-    ball: dict[str, BallShape] = Field(min_length=1, max_length=400)
+    ball: Annotated[dict[str, BallShape], Bounds(min_length=1, max_length=400)]
 
 
 class PinShape(Shape):
@@ -100,9 +97,9 @@ class PinSet(Shape):
     mass: Kilograms
     colour: Rgb = (238, 230, 205)
     restitution: Fraction = 0.5
-    friction: Annotated[float, Field(gt=0, le=10)] = 0.3
+    friction: Annotated[float, Bounds(gt=0, le=10)] = 0.3
     topples_at: Factor | None = None
-    pin: Annotated[dict[Name, PinShape], MANY] = Field(min_length=1)
+    pin: Annotated[dict[Name, PinShape], Bounds(min_length=1, max_length=200)]
 
 
 class ClothShape(Shape):
@@ -113,7 +110,7 @@ class ClothShape(Shape):
     sliding: Factor
     rolling: Factor
     spin_deceleration: Factor
-    bounce: Annotated[float, Field(ge=0, le=0.95)] = 0.5
+    bounce: Annotated[float, Bounds(ge=0, le=0.95)] = 0.5
     threshold: Factor = 1.5
 
 
@@ -124,15 +121,15 @@ class CueShape(Shape):
     mass: Kilograms
     tip_restitution: Fraction
     tip_friction: Factor
-    end_mass_ratio: Annotated[float, Field(gt=0, le=1000)]
+    end_mass_ratio: Annotated[float, Bounds(gt=0, le=1000)]
 
 
 class Players(Shape):
     """How many play."""
 
-    fewest: Annotated[int, Field(ge=1, le=64)]
-    most: Annotated[int, Field(ge=1, le=64)]
-    usual: Annotated[int, Field(ge=1, le=64)]
+    fewest: Annotated[int, Bounds(ge=1, le=64)]
+    most: Annotated[int, Bounds(ge=1, le=64)]
+    usual: Annotated[int, Bounds(ge=1, le=64)]
 
 
 def _players(written: object) -> object:
@@ -170,8 +167,8 @@ def _value(written: object) -> object:
 
 Value = Annotated[
     bool | int | str,
-    BeforeValidator(_value),
-    WithJsonSchema({"type": ["boolean", "integer", "string"]}),
+    Before(_value),
+    Told({"type": ["boolean", "integer", "string"]}),
 ]
 
 
@@ -179,7 +176,7 @@ class SettingShape(Shape):
     """A house rule."""
 
     default: Value
-    choices: list[Value] = Field(default_factory=list)
+    choices: list[Value] = empty(list)
     least: int | None = None
     most: int | None = None
     about: str = ""
@@ -189,20 +186,20 @@ class Pattern(Shape):
     """Balls in touching rows; see the reference for the words a row may hold."""
 
     apex: Point
-    rows: Annotated[list[str], Field(min_length=1, max_length=20)]
+    rows: Annotated[list[str], Bounds(min_length=1, max_length=20)]
     balls: list[str]
-    lots: Annotated[dict[Name, list[str]], MANY] = Field(default_factory=dict)
+    lots: Annotated[dict[Name, list[str]], MANY] = empty(dict)
     gap: Gap = 0.0
     by_lot: bool = True
-    apex_row: Annotated[int, Field(ge=1, le=20)] = 1
+    apex_row: Annotated[int, Bounds(ge=1, le=20)] = 1
 
 
 class RackShape(Shape):
     """How balls lie at the start; a ball that is not named is in hand or not in play."""
 
     pattern: Pattern | None = None
-    places: Annotated[dict[Name, Point], MANY] = Field(default_factory=dict)
-    own_spots: list[str] = Field(default_factory=list)
+    places: Annotated[dict[Name, Point], MANY] = empty(dict)
+    own_spots: list[str] = empty(list)
 
 
 class ModelNames(Shape):
@@ -221,8 +218,8 @@ class ModelNames(Shape):
 class VariantSpec(Shape):
     """A whole variant file, its parts put in place."""
 
-    title: Annotated[str, Field(min_length=1, max_length=80)]
-    rulebook: Annotated[str, Field(min_length=1, max_length=200)]
+    title: Annotated[str, Bounds(min_length=1, max_length=80)]
+    rulebook: Annotated[str, Bounds(min_length=1, max_length=200)]
     rules: Stem | None = None
     table: TableShape
     balls: BallSet
@@ -230,7 +227,7 @@ class VariantSpec(Shape):
     cloth: ClothShape
     cue: CueShape
     models: ModelNames = ModelNames()
-    players: Annotated[Players, BeforeValidator(_players), WithJsonSchema(_HOW_MANY)]
-    cue_balls: Annotated[list[str], Field(min_length=1, max_length=64)]
+    players: Annotated[Players, Before(_players), Told(_HOW_MANY)]
+    cue_balls: Annotated[list[str], Bounds(min_length=1, max_length=64)]
     rack: RackShape = RackShape()
-    settings: Annotated[dict[Name, SettingShape], MANY] = Field(default_factory=dict)
+    settings: Annotated[dict[Name, SettingShape], MANY] = empty(dict)

@@ -3,11 +3,7 @@
 One idea: each table of the file is one model, and a value is read in the units that people write.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
-
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
 from engine.variant.fields import (
     Coordinate,
@@ -22,15 +18,10 @@ from engine.variant.fields import (
     Slope,
     mistake,
 )
+from engine.variant.shape import Before, Bounds, Shape, Told, empty
 
-MANY = Field(max_length=200)
+MANY = Bounds(max_length=200)
 """No table for people has so many things of one kind, and thousands would take minutes."""
-
-
-class Shape(BaseModel):
-    """What all models share: no unknown keys, no conversion, no change."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
 class Place(Shape):
@@ -88,8 +79,8 @@ _WAYS = {
 }
 Point = Annotated[
     Place,
-    BeforeValidator(_place),
-    WithJsonSchema(
+    Before(_place),
+    Told(
         {
             "anyOf": [{"type": "string"}, _TWO_LENGTHS, _WAYS],
             "description": "A spot's name, two coordinates, or a spot and a way from it.",
@@ -151,8 +142,8 @@ def _names(written: object) -> object:
 
 Names = Annotated[
     list[Name],
-    BeforeValidator(_names),
-    WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}),
+    Before(_names),
+    Told({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}),
 ]
 
 
@@ -177,14 +168,14 @@ class ZoneShape(Shape):
     """
 
     bed: Literal[True] | None = None
-    behind: Names = []
-    beyond: Names = []
-    left_of: Names = []
-    right_of: Names = []
+    behind: Names = empty(list)
+    beyond: Names = empty(list)
+    left_of: Names = empty(list)
+    right_of: Names = empty(list)
     disc: DiscShape | None = None
     figure: FigureShape | None = None
     places: list[Point] | None = None
-    opposite: Annotated[list[Name], Field(min_length=2, max_length=20)] | None = None
+    opposite: Annotated[list[Name], Bounds(min_length=2, max_length=20)] | None = None
     with_line: bool = False
 
 
@@ -198,7 +189,7 @@ class Rubber(Shape):
     restitution_least: Fraction = 0.0
     friction: Factor
     friction_slope: Slope = 0.0
-    frequency_ratio: Annotated[float, Field(gt=0, le=100)] = 1.7
+    frequency_ratio: Annotated[float, Bounds(gt=0, le=100)] = 1.7
 
 
 class CushionShape(Shape):
@@ -211,7 +202,7 @@ class CushionShape(Shape):
     restitution_least: Fraction | None = None
     friction: Factor | None = None
     friction_slope: Slope | None = None
-    frequency_ratio: Annotated[float, Field(gt=0, le=100)] | None = None
+    frequency_ratio: Annotated[float, Bounds(gt=0, le=100)] | None = None
     model: str | None = None
 
 
@@ -224,7 +215,7 @@ def _pair(written: object) -> object:
     raise mistake("V110", "a corner of an outline has two lengths, in a list", mend)
 
 
-Pair = Annotated[tuple[Metres, Metres], BeforeValidator(_pair), WithJsonSchema(_TWO_LENGTHS)]
+Pair = Annotated[tuple[Metres, Metres], Before(_pair), Told(_TWO_LENGTHS)]
 
 
 class CornerShape(Shape):
@@ -242,8 +233,8 @@ class CornerShape(Shape):
 class OutlineShape(Shape):
     """A closed chain of cushions, and the ways in which pockets are cut into it."""
 
-    corners: Annotated[list[CornerShape], Field(min_length=2, max_length=200)]
-    cuts: Annotated[dict[Name, PocketShape], MANY] = {}
+    corners: Annotated[list[CornerShape], Bounds(min_length=2, max_length=200)]
+    cuts: Annotated[dict[Name, PocketShape], MANY] = empty(dict)
 
 
 class RoundShape(Shape):
@@ -263,7 +254,7 @@ class PostShape(RoundShape):
 class HoleShape(RoundShape, DropShape):
     """A hole in the bed, and what a ball in it counts."""
 
-    value: Annotated[int, Field(ge=-100_000, le=100_000)] = 0
+    value: Annotated[int, Bounds(ge=-100_000, le=100_000)] = 0
 
 
 class TableShape(Shape):
@@ -273,9 +264,9 @@ class TableShape(Shape):
     length: Size | None = None
     width: Size | None = None
     outline: OutlineShape | None = None
-    posts: Annotated[dict[Name, PostShape], MANY] = {}
-    holes: Annotated[dict[Name, HoleShape], MANY] = {}
-    cushions: Annotated[dict[Name, CushionShape], MANY] = {}
+    posts: Annotated[dict[Name, PostShape], MANY] = empty(dict)
+    holes: Annotated[dict[Name, HoleShape], MANY] = empty(dict)
+    cushions: Annotated[dict[Name, CushionShape], MANY] = empty(dict)
     nose_height: Size
     rail_width: Size
     rail_colour: Rgb = (92, 51, 23)
@@ -283,6 +274,6 @@ class TableShape(Shape):
     sights: bool = True
     rubber: Rubber
     pockets: Pockets | None = None
-    spots: Annotated[dict[Name, Point], MANY] = {}
-    lines: Annotated[dict[Name, Annotated[LineShape, BeforeValidator(_line)]], MANY] = {}
-    zones: Annotated[dict[Name, ZoneShape], MANY] = {}
+    spots: Annotated[dict[Name, Point], MANY] = empty(dict)
+    lines: Annotated[dict[Name, Annotated[LineShape, Before(_line)]], MANY] = empty(dict)
+    zones: Annotated[dict[Name, ZoneShape], MANY] = empty(dict)

@@ -7,8 +7,9 @@ Invariant: a rule of no section, or without a name, stays so; nothing is filled 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from rulelang.syntax.expressions import Expr
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from rulelang.syntax.statements import Statement
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rule:
     """A rule with its section (`fouls`, `game start` ...); a bare rule has no name."""
 
@@ -29,7 +30,7 @@ class Rule:
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Track:
     at: Span
     name: str
@@ -37,7 +38,7 @@ class Track:
     start: Expr | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Timer:
     """Seconds that run `per` a unit; that it ran out is told like a fact."""
 
@@ -47,7 +48,7 @@ class Timer:
     per: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Fact:
     """An author's fact; `kind` is "", "ball", "number", "player" or "values".
 
@@ -64,14 +65,14 @@ class Fact:
     asked_from: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Home:
     at: Span
     balls: Expr
     spot: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class SpottingOrder:
     """Sets of balls in the order in which they are spotted."""
 
@@ -79,7 +80,7 @@ class SpottingOrder:
     sets: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Define:
     """Cases of condition and value; a plain define has one case without a condition."""
 
@@ -89,7 +90,7 @@ class Define:
     cases: tuple[tuple[Expr | None, Expr], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Header:
     """`language`, `game`, `cites`, `uses`, `spotting`, `settled` or `side` with its text."""
 
@@ -98,13 +99,13 @@ class Header:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Phases:
     at: Span
     names: tuple[tuple[str, Span], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Zones:
     """Zones under one name, any of which balls may lie in together."""
 
@@ -116,7 +117,7 @@ class Zones:
 Declaration = Header | Phases | Zones | Timer | Track | Fact | Home | SpottingOrder | Define
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Script:
     """One file: its declarations and rules in the order of the text."""
 

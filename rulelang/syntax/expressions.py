@@ -7,31 +7,32 @@ condition is found out later. Invariant: a node is built of nodes of this file a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from rulelang.syntax.places import Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Number:
     at: Span
     value: int
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Flag:
     at: Span
     value: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Nothing:
     at: Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Name:
     """A bare word: a name of the variant or of the author."""
 
@@ -39,7 +40,7 @@ class Name:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class NameOf:
     """A tracked value of one player: `fouls-in-a-row of shooter`."""
 
@@ -48,7 +49,7 @@ class NameOf:
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class BallNumber:
     """`9-ball`: the ball whose name is 9."""
 
@@ -56,7 +57,7 @@ class BallNumber:
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Noun:
     """A noun of the language: `object balls`, `first ball hit`, `phase` ..."""
 
@@ -64,7 +65,7 @@ class Noun:
     words: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Called:
     """`called NAME`: a group claimed for the shot."""
 
@@ -72,19 +73,19 @@ class Called:
     what: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Player:
     at: Span
     words: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class OpponentOf:
     at: Span
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PartnerOf:
     """The next player of the same side."""
 
@@ -92,19 +93,19 @@ class PartnerOf:
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class CueBallOf:
     at: Span
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ScoreOf:
     at: Span
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class LotOf:
     """A number from 1 to `most` drawn by lot for a player, another for each."""
 
@@ -113,24 +114,24 @@ class LotOf:
     most: int
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ScoreGap:
     at: Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Listing:
     at: Span
     items: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class OnTable:
     at: Span
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Standing:
     """The pins of a set that stand."""
 
@@ -138,7 +139,7 @@ class Standing:
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class UpTo:
     """`up to N among X`: the first N balls of a set, in the order of the variant."""
 
@@ -147,7 +148,7 @@ class UpTo:
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ScoreExtreme:
     """The highest or the lowest score, or the second after it."""
 
@@ -156,7 +157,7 @@ class ScoreExtreme:
     second: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Extreme:
     """The ball of highest or lowest value in a set."""
 
@@ -165,14 +166,14 @@ class Extreme:
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Except:
     at: Span
     base: Expr
     but: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Quantified:
     """`any`, `every`, `no`, `only`, or a count with its number."""
 
@@ -182,7 +183,7 @@ class Quantified:
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Verb:
     """An event phrase: its word, what it is done to, and the name of a place."""
 
@@ -193,7 +194,7 @@ class Verb:
     negated: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Happened:
     """`SUBJECT EVENT`; without a subject the event stands alone (`foot left floor`)."""
 
@@ -202,7 +203,7 @@ class Happened:
     verb: Verb
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Total:
     """`number of`, `value of`, `highest value of`, `highest worth of`, `highest of` ..."""
 
@@ -211,7 +212,7 @@ class Total:
     base: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Arithmetic:
     at: Span
     op: str
@@ -219,7 +220,7 @@ class Arithmetic:
     right: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Test:
     """What stands after `is`: a word for the test, its operand, the name of a place."""
 
@@ -229,7 +230,7 @@ class Test:
     place: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Is:
     at: Span
     subject: Expr
@@ -237,7 +238,7 @@ class Is:
     test: Test
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Junction:
     """`and` or `or` of at least two parts."""
 
@@ -246,13 +247,13 @@ class Junction:
     parts: tuple[Expr, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Not:
     at: Span
     part: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Sequence:
     """`before`, `after` or `then` between events."""
 

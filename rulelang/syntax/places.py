@@ -6,10 +6,10 @@ Invariant: lines and columns count from 1, characters from 0; `end` is one past 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rulelang.values import value
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Span:
     """Where something stands: line and column from 1, and the range of characters."""
 

@@ -7,15 +7,16 @@ Invariant: `walk` meets every statement and choice once, in the order of the tex
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from rulelang.values import value
 
 if TYPE_CHECKING:
     from rulelang.syntax.expressions import Expr
     from rulelang.syntax.places import Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Foul:
     at: Span
     name: str
@@ -23,7 +24,7 @@ class Foul:
     alone: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Award:
     """`award` or `deduct`."""
 
@@ -33,7 +34,7 @@ class Award:
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Write:
     """`add`, `set`, `reset` or `assign`, to a tracked value."""
 
@@ -44,20 +45,20 @@ class Write:
     value: Expr | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Turn:
     at: Span
     continues: bool
     who: Expr | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class GoToPhase:
     at: Span
     phase: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PlaceAt:
     """One place of a `spot`.
 
@@ -70,44 +71,44 @@ class PlaceAt:
     toward: str = "foot"
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class SpotBalls:
     at: Span
     balls: Expr
     places: tuple[PlaceAt, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class RemoveBalls:
     at: Span
     balls: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class SetUpPins:
     at: Span
     pins: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class RackAgain:
     at: Span
     keeping: Expr | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class RestoreTable:
     at: Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class GiveInHand:
     at: Span
     who: Expr
     zone: str | None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Require:
     """`require` or `allow` a call."""
 
@@ -117,7 +118,7 @@ class Require:
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class AllowStrike:
     """`allow BALLS as cue ball`."""
 
@@ -125,7 +126,7 @@ class AllowStrike:
     balls: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Win:
     """`wins`, `loses` or `tie` of a unit."""
 
@@ -135,7 +136,7 @@ class Win:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Seat:
     """`eliminate` or `reinstate` a player."""
 
@@ -144,18 +145,18 @@ class Seat:
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Plays:
     at: Span
     who: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class NothingHappens:
     at: Span
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class If:
     """Branches of condition and body, tried in order, and the body of `otherwise`."""
 
@@ -164,7 +165,7 @@ class If:
     otherwise: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class ForEach:
     """Over the balls of a set; over the players where `over` is None."""
 
@@ -173,7 +174,7 @@ class ForEach:
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Choice:
     at: Span
     option: str
@@ -181,7 +182,7 @@ class Choice:
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class OfferChoices:
     at: Span
     who: Expr
