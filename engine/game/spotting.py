@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from engine.physics.world import Layout
-    from engine.table.furniture import Point
+    from engine.table.furniture import PinId, Point
     from engine.variant.variant import Variant
 
 GAP = 1e-4
@@ -96,16 +96,20 @@ def place_ball(variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
 
 def set_up(variant: Variant, rest: Rest, pins: frozenset[str]) -> Rest:
     """Return what lies where after `pins` were set up; one without air to every ball waits."""
-    radii = {one.id: one.radius for one in variant.world.balls}
-    placed = variant.world.table.pins
-    free = standing(placed, rest.positions, radii)
-    blocked = [pin for pin, has_air in zip(placed, free, strict=True) if not has_air]
-    waiting = {pin.id for pin in blocked if pin.id in pins}
+    waiting = _without_air(variant, rest.positions) & pins
     return replace(rest, fallen=(rest.fallen - pins) | (rest.fallen & waiting))
 
 
+def _without_air(variant: Variant, positions: Mapping[BallId, Point]) -> frozenset[PinId]:
+    """Return the pins that cannot stand beside balls at these places (m)."""
+    radii = {one.id: one.radius for one in variant.world.balls}
+    pins = variant.world.table.pins
+    free = standing(pins, positions, radii)
+    return frozenset(pin.id for pin, has_air in zip(pins, free, strict=True) if not has_air)
+
+
 def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, Point]) -> Rest:
-    """Return what is known with `positions` (m) added, zones and contacts read off them."""
+    """Return what is known with `positions` (m) added: zones, contacts, pins that have no room."""
     if not positions:
         return rest
     zones = {ball: zones_of(variant.world.table, at) for ball, at in positions.items()}
@@ -114,6 +118,7 @@ def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, P
         positions=dict(positions),
         zones={**rest.zones, **zones},
         frozen=rest.frozen | frozen_pairs(variant.world, positions),
+        fallen=rest.fallen | _without_air(variant, positions),
     )
 
 

@@ -8,9 +8,11 @@ import pytest
 
 from engine.game.match import advance, start_match, undo
 from engine.game.observe import play, simulate_shot
+from engine.game.phrases import parse_event
 from engine.game.placing import refuse_place, usual_place
 from engine.game.referee import judge_shot, look_ahead
 from engine.game.shot import Shot
+from engine.game.situation import Rest
 from engine.physics.world import Strike
 from engine.records.journal import Journal, resume
 from engine.records.read import read_record
@@ -53,6 +55,24 @@ def test_a_saved_shot_reads_back_and_plays_again(name, tmp_path):
         outcome = run_record(read_record(path, load))
         assert [str(one) for one in outcome.differences] == []
         assert outcome.replayed is (None if shot.shot.strike is None else True)
+
+
+def test_a_saved_shot_knows_the_pin_whose_place_a_ball_has_taken(tmp_path):
+    variant = load("danish_pins")
+    match = start_match(variant)
+    at = {"red": (-0.5, 0.0), "white-1": (0.01, 0.0), "white-2": (0.6, 0.3)}
+    toppled = Shot(
+        events=tuple(map(parse_event, ("red hits white-1", "white-1 topples centre-pin"))),
+        after=Rest(positions=at),
+    )
+    match = advance(match, toppled, judge_shot(variant, match.situation, toppled))
+    assert match.situation.rest.fallen == {"centre-pin"}
+    match = played(match, heading=0.0, speed=2.0)
+    assert "centre-pin" not in str(match.played[-1].shot.events)
+    save_shot_record(tmp_path / "shot.toml", match, 1)
+    outcome = run_record(read_record(tmp_path / "shot.toml", load))
+    assert outcome.judgements[0].before.rest.fallen == {"centre-pin"}
+    assert (outcome.replayed, outcome.differences) == (True, ())
 
 
 @pytest.mark.parametrize("name", GAMES)
