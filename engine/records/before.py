@@ -69,6 +69,7 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
         zones=_zones(names, spec.zones, (*path, "zones")),
         frozen=names.contacts(spec.frozen, (*path, "frozen")),
     )
+    names.agreeing(replace(rest, positions=positions), path)
     situation = replace(
         opened,
         shooter=spec.shooter,

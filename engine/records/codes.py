@@ -32,6 +32,7 @@ CODES = MappingProxyType(
         "T318": "a spot that the table does not have",
         "T319": "a foul that the script never calls",
         "T320": "a spotted ball that cannot be read",
+        "T321": "zones, contacts or taken spots that are not what the positions tell",
         "T401": "a shot that cannot be judged: the game is over, a choice is missing, or a stroke "
         "cannot be played because positions are not known, or two rules of the script clash",
     }

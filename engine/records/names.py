@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from engine.records.agree import strange_contacts, strange_covers, strange_zones
 from engine.table.furniture import BallId, ZoneId
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from engine.game.situation import Pair
+    from engine.game.situation import Pair, Rest
     from engine.records.spec import Value
     from engine.table.furniture import Point
     from engine.variant.locate import KeyPath
@@ -72,6 +73,17 @@ class Names:
                 self.ball(other, (*path, index))
             pairs.add((one, other))
         return frozenset(pairs)
+
+    def agreeing(self, rest: Rest, path: KeyPath) -> None:
+        """Report where zones, contacts and taken spots are not what the positions tell."""
+        world, positions = self.variant.world, rest.positions
+        mend = "tell it once, or mend one of the two"
+        for ball, message in strange_zones(world, positions, rest.zones):
+            self.report.add("T321", (*path, "zones", ball), message, mend)
+        for message in strange_contacts(world, positions, rest.frozen):
+            self.report.add("T321", (*path, "frozen"), message, mend)
+        for spot, message in strange_covers(world, positions, rest.covered):
+            self.report.add("T321", (*path, "spots", spot), message, mend)
 
     def state(
         self, given: Mapping[str, Value | list[Value]], players: int, path: KeyPath

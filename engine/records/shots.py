@@ -88,11 +88,13 @@ def _after(names: Names, spec: AfterSpec, path: KeyPath) -> Rest:
     for spot, ball in spec.spots.items():
         names.known("T318", (*path, "spots", spot), "spot", spot, names.words.spots)
         covered[SpotId(spot)] = names.ball(ball, (*path, "spots", spot))
-    return Rest(
+    rest = Rest(
         positions=names.positions(spec.positions, (*path, "positions")),
         frozen=names.contacts(spec.frozen, (*path, "frozen")),
         covered=covered,
     )
+    names.agreeing(rest, path)
+    return rest
 
 
 def _expect(names: Names, spec: ExpectSpec, path: KeyPath, players: int) -> None:
