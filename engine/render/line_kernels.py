@@ -1,8 +1,8 @@
 """Lines in pixels: near clip, Liang-Barsky, and strokes whose edges are blended.
 
-One idea: a stroke steps along its longer way and covers, across it, the share of each pixel
-that its width reaches. Invariant: a row outside [`top`, `bottom`) is never touched, so bands of
-rows may be drawn at the same time.
+One idea: segments become strokes on the screen once a frame, and every band of rows draws those
+that cross it. A stroke steps along its longer way and covers, across it, the share of each pixel
+that its width reaches. Invariant: a row outside [`top`, `bottom`) is never touched.
 """
 # ruff: noqa: FBT001  a kernel takes its flags by place
 
@@ -13,42 +13,84 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
+from engine.render.raster import blend
+
 if TYPE_CHECKING:
-    from engine.render.arrays import Bytes, Floats, Ints, Pixels, Singles
+    from engine.render.arrays import Bytes, Floats, Pixels, Singles
+
+FIELDS = 8
+"""Numbers of a stroke: x, y (px), 1/z at both ends, pixels of half its width per 1/z, alpha."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def blend(image: Pixels, y: int, x: int, r: float, g: float, b: float, share: float) -> None:
-    """Mix a colour into one pixel of an (h, w) uint32 image, 0x00RRGGBB."""
-    old = image[y, x]
-    keep = 1.0 - share
-    red = int(((old >> 16) & 255) * keep + r * share + 0.5)
-    green = int(((old >> 8) & 255) * keep + g * share + 0.5)
-    blue = int((old & 255) * keep + b * share + 0.5)
-    image[y, x] = np.uint32((red << 16) | (green << 8) | blue)
+def place_stroke(
+    a: Floats, b: Floats, width: float, height: float, focal: float, near: float, out: Floats
+) -> bool:
+    """Write ends on the screen of a segment a to b in camera coordinates, cut at the near plane.
 
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def stroke(
-    image: Pixels,
-    depth: Singles,
-    tested: bool,
-    top: int,
-    bottom: int,
-    line: tuple[float, float, float, float, float, float],
-    colour: Bytes,
-    alpha: float,
-    scale: float,
-    least: float,
-) -> None:
-    """Draw one stroke from `line` (x, y in pixels, 1/z at both ends).
-
-    Half its width is `scale` times 1/z, and `least` pixels at least.
+    Returns False where nothing of it is ahead of the eye.
     """
-    width = image.shape[1]
-    x0, y0, w0, x1, y1, w1 = line
-    # Liang-Barsky against the picture, with room for the stroke's width
-    room = max(scale * max(w0, w1), least) + 2.0
+    if a[2] < near and b[2] < near:
+        return False
+    for end in range(2):
+        here, other = (a, b) if end == 0 else (b, a)
+        x, y, z = here[0], here[1], here[2]
+        if z < near:
+            share = (near - other[2]) / (z - other[2])
+            x = other[0] + share * (x - other[0])
+            y = other[1] + share * (y - other[1])
+            z = near
+        inverse = 1.0 / z
+        out[3 * end] = width * 0.5 + focal * x * inverse
+        out[3 * end + 1] = height * 0.5 + focal * y * inverse
+        out[3 * end + 2] = inverse
+    return True
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def see_point(p: Floats, eye: Floats, basis: Floats, out: Floats) -> None:
+    """Write the camera coordinates of a point in the world."""
+    dx, dy, dz = p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]
+    for k in range(3):
+        out[k] = basis[k, 0] * dx + basis[k, 1] * dy + basis[k, 2] * dz
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def place_segments(
+    ends: Floats,
+    colours: Bytes,
+    widths: Floats,
+    alphas: Floats,
+    eye: Floats,
+    basis: Floats,
+    focal: float,
+    near: float,
+    width: float,
+    height: float,
+    strokes: Floats,
+    shades: Pixels,
+    start: int,
+) -> int:
+    """Write segments (n, 2, 3) as strokes from number `start` on; return the number after."""
+    a, b = np.empty(3), np.empty(3)
+    count = start
+    for i in range(len(ends)):
+        see_point(ends[i, 0], eye, basis, a)
+        see_point(ends[i, 1], eye, basis, b)
+        if not place_stroke(a, b, width, height, focal, near, strokes[count]):
+            continue
+        strokes[count, 6], strokes[count, 7] = 0.5 * widths[i] * focal, alphas[i]
+        red, green, blue = np.uint32(colours[i, 0]), np.uint32(colours[i, 1]), colours[i, 2]
+        shades[count] = (red << np.uint32(16)) | (green << np.uint32(8)) | np.uint32(blue)
+        count += 1
+    return count
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def clip_line(
+    x0: float, y0: float, x1: float, y1: float, room: float, top: float, bottom: float, width: float
+) -> tuple[float, float]:
+    """Return the shares of a line where it enters and leaves a box (Liang and Barsky 1984)."""
     dx, dy = x1 - x0, y1 - y0
     enter, leave = 0.0, 1.0
     for side in range(4):
@@ -62,17 +104,37 @@ def stroke(
             p, q = dy, bottom + room - y0
         if p == 0.0:
             if q < 0.0:
-                return
+                return 1.0, 0.0
         elif p < 0.0:
             enter = max(enter, q / p)
         else:
             leave = min(leave, q / p)
-    if enter >= leave:
+    return enter, leave
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def draw_stroke(
+    image: Pixels,
+    width: int,
+    depth: Singles,
+    tested: bool,
+    top: int,
+    bottom: int,
+    line: Floats,
+    shade: np.uint32,
+    least: float,
+) -> None:
+    """Draw one stroke; half its width is `least` pixels at least."""
+    x0, y0, w0, x1, y1, w1 = line[0], line[1], line[2], line[3], line[4], line[5]
+    scale, strength = line[6], 256.0 * line[7]
+    room = max(scale * max(w0, w1), least) + 2.0
+    if max(y0, y1) + room < top or min(y0, y1) - room > bottom:
         return
-    r, g, b = float(colour[0]), float(colour[1]), float(colour[2])
+    enter, leave = clip_line(x0, y0, x1, y1, room, float(top), float(bottom), float(width))
+    dx, dy = x1 - x0, y1 - y0
     steep = abs(dy) > abs(dx)
     long = dy if steep else dx
-    if long == 0.0:
+    if enter >= leave or long == 0.0:
         return
     start = y0 if steep else x0
     low, high = start + enter * long, start + leave * long
@@ -90,116 +152,33 @@ def stroke(
         gone = major + 0.5 - start
         middle = base + gone * slope
         inverse = w0 + gone * rate
-        reach = max(scale * inverse, least) * lean
-        begin = max(int(np.floor(middle - reach - 0.5)), floor_cross)
-        stop = min(int(np.ceil(middle + reach + 0.5)) + 1, limit_cross)
+        reach = max(scale * inverse, least) * lean + 0.5
+        # the pixels whose middles are nearer than `reach`
+        begin = max(int(middle - reach + 1024.5) - 1024, floor_cross)
+        stop = min(int(middle + reach + 1024.5) - 1024, limit_cross)
         for minor in range(begin, stop):
-            share = reach + 0.5 - abs(minor + 0.5 - middle)
-            if share <= 0.0:
-                continue
-            share = min(share, 1.0) * alpha
+            share = min(reach - abs(minor + 0.5 - middle), 1.0)
+            part = np.uint32(max(share, 0.0) * strength + 0.5)
             y, x = (major, minor) if steep else (minor, major)
             if tested and inverse * 1.002 < depth[y, x]:
                 continue
-            blend(image, y, x, r, g, b, share)
+            image[y, x] = blend(image[y, x], shade, part)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def segment(
+def draw_strokes(
     image: Pixels,
+    width: int,
     depth: Singles,
     tested: bool,
     top: int,
     bottom: int,
-    a: Floats,
-    b: Floats,
-    view: tuple[Floats, Floats, float, float],
-    colour: Bytes,
-    alpha: float,
-    width: float,
+    strokes: Floats,
+    shades: Pixels,
+    first: int,
+    last: int,
     least: float,
 ) -> None:
-    """Draw a segment between two points in the world, clipped at the near plane."""
-    eye, basis, focal, near = view
-    ends = np.empty((2, 3))
-    for k in range(3):
-        ends[0, k] = 0.0
-        ends[1, k] = 0.0
-        for i in range(3):
-            ends[0, k] += basis[k, i] * (a[i] - eye[i])
-            ends[1, k] += basis[k, i] * (b[i] - eye[i])
-    if ends[0, 2] < near and ends[1, 2] < near:
-        return
-    for k in range(2):
-        if ends[k, 2] < near:
-            share = (near - ends[1 - k, 2]) / (ends[k, 2] - ends[1 - k, 2])
-            for i in range(2):
-                ends[k, i] = ends[1 - k, i] + share * (ends[k, i] - ends[1 - k, i])
-            ends[k, 2] = near
-    height, wide = image.shape
-    w0, w1 = 1.0 / ends[0, 2], 1.0 / ends[1, 2]
-    line = (
-        wide * 0.5 + focal * ends[0, 0] * w0,
-        height * 0.5 + focal * ends[0, 1] * w0,
-        w0,
-        wide * 0.5 + focal * ends[1, 0] * w1,
-        height * 0.5 + focal * ends[1, 1] * w1,
-        w1,
-    )
-    scale = 0.5 * width * focal
-    stroke(image, depth, tested, top, bottom, line, colour, alpha, scale, 0.5 * least)
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def draw_segments(
-    image: Pixels,
-    depth: Singles,
-    tested: bool,
-    top: int,
-    bottom: int,
-    ends: Floats,
-    colours: Bytes,
-    widths: Floats,
-    alphas: Floats,
-    eye: Floats,
-    basis: Floats,
-    focal: float,
-    near: float,
-    least: float,
-) -> None:
-    """Draw segments (n, 2, 3); where `tested`, only in front of `depth` (1/z)."""
-    view = (eye, basis, focal, near)
-    for i in range(len(ends)):
-        segment(
-            image,
-            depth,
-            tested,
-            top,
-            bottom,
-            ends[i, 0],
-            ends[i, 1],
-            view,
-            colours[i],
-            alphas[i],
-            widths[i],
-            least,
-        )
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def select_edges(edges: Ints, normals: Floats, offsets: Floats, eye: Floats, chosen: Ints) -> int:
-    """Write the numbers of edges with a face turned to the eye to `chosen`; return how many."""
-    count = 0
-    for i in range(len(edges)):
-        for side in range(2, 4):
-            face = edges[i, side]
-            if face < 0:
-                continue
-            way = 0.0
-            for k in range(3):
-                way += normals[face, k] * eye[k]
-            if way > offsets[face]:
-                chosen[count] = i
-                count += 1
-                break
-    return count
+    """Draw strokes first to last; where `tested`, only in front of `depth` (1/z)."""
+    for i in range(first, last):
+        draw_stroke(image, width, depth, tested, top, bottom, strokes[i], shades[i], 0.5 * least)

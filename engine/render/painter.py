@@ -2,316 +2,205 @@
 
 One idea: not triangles but convex parts are put in order, by the planes between them (see
 `engine.render.order`); within a part no front face hides another.
-Invariant: parts of a lower layer are painted before those of a higher one: pockets, then the
-bed with its marks and shadows, then what stands on it.
+Invariants: parts of a lower layer are painted before those of a higher one: pockets, then the bed
+with its marks and shadows, then what stands on it. With the picture that is kept while the camera
+rests or without, with one thread or two, the pixels are the same.
 """
 
 from __future__ import annotations
 
-import itertools
-from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.render import line_kernels, order, outline, painter_kernels, raster, shading
-from engine.render.image import Canvas, Picture
-from engine.render.pack import Pack, Packer, UnitSpheres, View, join, lines_of, view_of
-from engine.render.scanline import discs_of, lamps_of, shade_background
+from engine.render import disc_kernels
+from engine.render.bands import Bands
+from engine.render.image import Canvas, Picture, Target
+from engine.render.keep import Kept
+from engine.render.pack import join
+from engine.render.packer import Packer
+from engine.render.sequence import Sequence, planes_between, put_in_order
+from engine.render.spheres import UnitSpheres
+from engine.render.strokes import NO_DEPTH, Strokes
+from engine.render.surroundings import Backdrop, discs_of, lamps_of
+from engine.render.view import view_of
 from engine.render.warm import tiny_scene
+from engine.render.work import Work, make_work
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
-
-    from engine.render.image import Pixels
+    from engine.render.arrays import Flags, Floats, Ints, Pixels, Singles
+    from engine.render.pack import Pack
     from engine.scene.scene import Scene
 
-NO_DEPTH = np.zeros((1, 1), np.float32)
 LEAST_LINE = 1.1
+GROUND = np.uint32(0x7FC00000)
+"""No number, as the bits of a float32: marks of any depth may lie here."""
+COVERED = np.uint32(0x7F800000)
+"""Infinitely near: nothing that lies on the ground is seen here."""
+ON_GROUND = 2
+"""The layer of what stands on the ground."""
 
 
 class Painter:
     """The renderer without depth; `threads` bands of rows are painted at the same time."""
 
-    def __init__(self, threads: int = 2) -> None:
+    def __init__(self, threads: int = 2, *, keeps: bool = True) -> None:
+        self._bands = Bands(threads)
         self._packer = Packer()
         self._canvas = Canvas()
-        self._threads = max(1, threads)
-        self._pool = ThreadPoolExecutor(self._threads) if self._threads > 1 else None
-        self._fixed: Pack | None = None
-        self._table = np.zeros((0, 0, 4))
         self._units = UnitSpheres()
+        self._strokes = Strokes()
+        self._kept = Kept(on=keeps)
+        self._backdrop = Backdrop()
+        self._fixed: Pack | None = None
+        self._table: Floats = np.zeros((0, 0, 4))
 
     def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
         if progress:
             progress("painter", 0.1)
         self.render(tiny_scene(), np.zeros((16, 16), np.uint32))
-        self._units.make_all()
         if progress:
             progress("painter", 1.0)
 
     def render(self, scene: Scene, image: Picture) -> None:
         """Draw a scene into a picture."""
-        pixels = self._canvas.open(image)
-        view = view_of(scene.camera, (pixels.shape[1], pixels.shape[0]))
-        fixed = self._packer.fixed(scene)
-        if fixed is not self._fixed:
-            self._fixed = fixed
-            self._table = np.zeros((fixed.parts, fixed.parts, 4))
-            order.plane_table(
-                fixed.points,
-                fixed.planes,
-                fixed.starts,
-                fixed.traits,
-                fixed.face_normals,
-                self._table,
-            )
-        moving = self._packer.moving(scene)
-        pack = join([fixed, moving]) if moving.parts else fixed
-        frame = _Frame(self, scene, view, pack, fixed.parts, self._table)
-        if self._pool is None:
-            frame.paint(pixels, 0, len(pixels))
+        target = self._canvas.open(image)
+        frame = self._prepare(scene, target)
+        if frame.may_be_kept and self._knows(frame, target):
+            draw = partial(frame.paint_over, target, self._kept)
         else:
-            cuts = [len(pixels) * k // self._threads for k in range(self._threads + 1)]
-            bands = [
-                self._pool.submit(frame.paint, pixels, a, b) for a, b in itertools.pairwise(cuts)
-            ]
-            for band in bands:
-                band.result()
-        self._canvas.close(pixels, image)
+            draw = partial(frame.paint_all, target)
+        self._bands.run(draw, 0, target.height)
+        self._canvas.close(target, image)
 
-    @property
-    def packer(self) -> Packer:
-        """Return what packs this renderer's scenes."""
-        return self._packer
+    def _prepare(self, scene: Scene, target: Target) -> _Frame:
+        """Return the frame: everything placed and put in order."""
+        view = view_of(scene.camera, target.size)
+        fixed, lines = self._packer.fixed(scene)
+        if fixed is not self._fixed:
+            self._fixed, self._table = fixed, planes_between(fixed)
+        strokes = self._strokes
+        strokes.begin(view)
+        strokes.add_lines(lines)
+        few = strokes.count
+        moving, lines = self._packer.moving(scene)
+        strokes.add_lines(lines)
+        spheres = self._packer.spheres(scene)
+        units = self._units.choose(spheres, view)
+        pack = join([fixed, moving]) if moving.parts else fixed
+        lamps = lamps_of(scene)
+        work = make_work(pack, spheres, units, self._units.together, view, lamps, scene.ambient)
+        discs, shades = discs_of((*scene.marks, *scene.shadows))
+        return _Frame(
+            work=work,
+            fixed=fixed,
+            order=put_in_order(work, fixed.parts, self._table),
+            background=self._backdrop.rows(scene.background, target.height),
+            strokes=strokes,
+            few=few,
+            discs=discs,
+            shades=shades,
+            key=(fixed, scene.camera, scene.lights, scene.background, scene.ambient, target.size),
+        )
 
-    @property
-    def units(self) -> UnitSpheres:
-        """Return the unit spheres that spheres are painted with."""
-        return self._units
+    def _knows(self, frame: _Frame, target: Target) -> bool:
+        """Return whether the picture of what never moves is kept; keep it where it is time to."""
+        kept = self._kept
+        if kept.knows(frame.key):
+            return True
+        if not kept.wants_picture:
+            return False
+        still = put_in_order(frame.work, frame.fixed.parts, self._table, only_fixed=True)
+        if still.broken:
+            kept.drop()
+            return False
+        kept.depth = np.zeros(target.size[::-1], np.float32)
+        self._bands.run(partial(frame.paint_fixed, kept, still.items), 0, target.height)
+        return True
 
 
+@dataclass(frozen=True, slots=True, eq=False)
 class _Frame:
-    """One frame: the order of things, worked out once and painted by every band."""
+    """One frame, worked out once and painted by every band; the first `few` strokes are fixed."""
 
-    def __init__(
-        self,
-        painter: Painter,
-        scene: Scene,
-        view: View,
-        pack: Pack,
-        fixed: int,
-        table: NDArray[np.float64],
-    ) -> None:
-        self.view, self.pack = view, pack
-        self.scene = scene
-        self.lamps = lamps_of(scene)
-        self.lines = lines_of(scene)
-        self.discs, self.disc_colours = discs_of((*scene.marks, *scene.shadows))
-        self.spheres = painter.packer.spheres(scene)
-        count = len(pack.points)
-        self.seen, self.screen = np.zeros((count, 3)), np.zeros((count, 3))
-        raster.project_points(
-            pack.points,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-            float(view.size[0]),
-            float(view.size[1]),
-            self.seen,
-            self.screen,
-        )
-        self.shades = np.zeros(len(pack.face_normals), np.uint32)
-        shading.shade_faces(
-            pack.face_centres,
-            pack.face_normals,
-            pack.face_colours,
-            pack.face_light,
-            view.eye,
-            self.lamps,
-            scene.ambient,
-            self.shades,
-        )
-        self.units = painter.units.of(self.spheres, view)
-        self.parts_below, self.items = self._sort(fixed, table)
+    work: Work
+    fixed: Pack
+    order: Sequence
+    background: Pixels
+    strokes: Strokes
+    few: int
+    discs: Floats
+    shades: Pixels
+    key: tuple[object, ...]
 
-    def _sort(
-        self,
-        fixed: int,
-        table: NDArray[np.float64],
-    ) -> tuple[list[list[int]], NDArray[np.int32]]:
-        """Return the parts of layers 0 and 1, and the order of parts and spheres above."""
-        pack, view, s = self.pack, self.view, self.spheres
-        parts = pack.parts
-        boxes = np.zeros((parts + len(s.radii), 4))
-        spans = np.zeros(parts + len(s.radii) + 1, np.int64)
-        outlines = np.zeros((4 * len(pack.triangles) + 20 * len(s.radii) + 8, 2))
-        shown = np.zeros(parts, np.bool_)
-        wide, tall = view.size
-        outline.part_outlines(
-            self.seen,
-            self.screen,
-            pack.triangles,
-            pack.faces,
-            pack.face_normals,
-            pack.face_offsets,
-            pack.starts,
-            pack.traits,
-            view.eye,
-            view.focal,
-            view.near,
-            float(wide),
-            float(tall),
-            boxes,
-            outlines,
-            spans,
-            shown,
+    @property
+    def may_be_kept(self) -> bool:
+        """Return whether what moves can be painted over a picture of what does not."""
+        traits, light = self.work.placed.pack.traits, self.fixed.face_light
+        return (
+            not self.order.broken
+            and not len(self.order.dropping)
+            and bool((traits[self.fixed.parts :, 1] >= ON_GROUND).all())
+            and bool((light[self._standing_faces(), 1] >= 1.0).all())
         )
-        outline.sphere_outlines(
-            parts,
-            s.centres,
-            s.radii,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-            float(wide),
-            float(tall),
-            boxes,
-            outlines,
-            spans,
-        )
-        layers = pack.traits[:, 1]
-        below = [[int(p) for p in np.flatnonzero(shown & (layers == k))] for k in (0, 1)]
-        high = s.centres[:, 2] > 0.0 if len(s.radii) else np.zeros(0, np.bool_)
-        inside = (
-            (boxes[:, 2] > 0.0) & (boxes[:, 0] < wide) & (boxes[:, 3] > 0.0) & (boxes[:, 1] < tall)
-        )
-        found = np.flatnonzero(np.concatenate([shown & (layers >= 2), high]) & inside)
-        chosen: NDArray[np.int32] = found.astype(np.int32)
-        middles = (pack.starts[:-1, 0]).astype(np.int64)
-        places = np.concatenate([pack.points[middles], s.centres]) if parts else s.centres
-        far = ((places - view.eye) ** 2).sum(axis=1)
-        result = np.zeros(len(chosen), np.int32)
-        order.sort_items(
-            chosen,
-            boxes,
-            outlines,
-            spans,
-            far,
-            fixed,
-            pack.points,
-            pack.planes,
-            pack.starts,
-            pack.traits,
-            pack.face_normals,
-            table,
-            s.centres,
-            view.eye,
-            result,
-        )
-        return below, result
 
-    def paint(self, pixels: Pixels, top: int, bottom: int) -> None:
+    def _standing_faces(self) -> Flags:
+        layers = np.repeat(self.fixed.traits[:, 1], np.diff(self.fixed.starts[:, 2]))
+        return layers >= ON_GROUND
+
+    def paint_all(self, target: Target, top: int, bottom: int) -> None:
         """Paint one band of rows."""
-        shade_background(pixels, self.scene.background, top, bottom)
-        view, s = self.view, self.spheres
-        for part in self.parts_below[0]:
-            self._part(pixels, part, top, bottom)
-        for number in range(len(s.radii)):
-            if s.centres[number, 2] < 0.98 * s.radii[number]:
-                self._sphere(pixels, number, top, bottom, upper_half=False)
-        for part in self.parts_below[1]:
-            self._part(pixels, part, top, bottom)
-        shading.draw_discs(
-            pixels,
-            NO_DEPTH,
-            False,  # noqa: FBT003  a kernel's flag
+        rows, work, order = (top, bottom), self.work, self.order
+        ground = order.below[1]
+        moving = ground >= self.fixed.parts
+        self._paint_floor(target, rows, ground[~moving])
+        work.paint(target.rows, rows, ground[moving])
+        self._paint_marks(target, rows, None)
+        work.paint(target.rows, rows, order.items)
+
+    def paint_fixed(self, kept: Kept, items: Ints, top: int, bottom: int) -> None:
+        """Paint one band of what never moves into what is kept, and what of it is ground."""
+        rows, work = (top, bottom), self.work
+        self._paint_floor(Target(kept.pixels, work.view.size[0]), rows, self.order.below[1])
+        work.paint(kept.pixels, rows, items)
+        cover = kept.depth.view(np.uint32)
+        cover[top:bottom] = GROUND
+        work.paint(cover, rows, items, shades=np.full_like(work.placed.shades, COVERED))
+
+    def paint_over(self, target: Target, kept: Kept, top: int, bottom: int) -> None:
+        """Paint one band of what moves over what is kept."""
+        rows = top, bottom
+        target.rows[top:bottom, : target.width] = kept.pixels[top:bottom]
+        self._paint_marks(target, rows, kept.depth)
+        items, boxes = self.order.items, self.order.boxes
+        self.work.paint(target.rows, rows, items, after=self.fixed.parts, boxes=boxes)
+
+    def _paint_floor(self, target: Target, rows: tuple[int, int], ground: Ints) -> None:
+        """Paint background, pockets and what drops into them, and the ground with its lines."""
+        top, bottom = rows
+        target.rows[top:bottom, : target.width] = self.background[top:bottom]
+        self.work.paint(target.rows, rows, self.order.below[0])
+        self.work.paint(target.rows, rows, self.order.dropping, whole=True)
+        self.work.paint(target.rows, rows, ground)
+        self.strokes.draw(target, top, bottom, 0, self.few, LEAST_LINE)
+
+    def _paint_marks(self, target: Target, rows: tuple[int, int], cover: Singles | None) -> None:
+        """Paint marks, shadows and lines that may move, with `cover` only on bare ground."""
+        top, bottom = rows
+        disc_kernels.draw_discs(
+            target.rows,
+            NO_DEPTH if cover is None else cover,
+            cover is not None,
             top,
             bottom,
             self.discs,
-            self.disc_colours,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-        )
-        line_kernels.draw_segments(
-            pixels,
-            NO_DEPTH,
-            False,  # noqa: FBT003  a kernel's flag
-            top,
-            bottom,
-            self.lines.ends,
-            self.lines.colours,
-            self.lines.widths,
-            self.lines.alphas,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-            LEAST_LINE,
-        )
-        for item in self.items:
-            if item < self.pack.parts:
-                self._part(pixels, int(item), top, bottom)
-            else:
-                number = int(item) - self.pack.parts
-                dropping = bool(s.centres[number, 2] < 0.98 * s.radii[number])
-                self._sphere(pixels, number, top, bottom, upper_half=dropping)
-
-    def _part(self, pixels: Pixels, part: int, top: int, bottom: int) -> None:
-        pack, view = self.pack, self.view
-        painter_kernels.paint_part(
-            pixels,
-            top,
-            bottom,
-            int(pack.starts[part, 1]),
-            int(pack.starts[part + 1, 1]),
-            self.seen,
-            self.screen,
-            pack.triangles,
-            pack.faces,
-            pack.face_normals,
-            pack.face_offsets,
-            pack.face_light,
             self.shades,
-            view.eye,
-            view.focal,
-            view.near,
+            *self.work.view.numbers,
         )
-
-    def _sphere(
-        self, pixels: Pixels, number: int, top: int, bottom: int, *, upper_half: bool
-    ) -> None:
-        s, view, unit = self.spheres, self.view, self.units[number]
-        offset, size = s.skin_places[number]
-        painter_kernels.paint_sphere(
-            pixels,
-            top,
-            bottom,
-            upper_half,
-            unit.points,
-            unit.triangles,
-            unit.faces,
-            unit.face_normals,
-            unit.face_centres,
-            s.centres[number],
-            s.rotations[number],
-            float(s.radii[number]),
-            s.colours[number],
-            float(s.gloss[number]),
-            s.skins,
-            int(offset),
-            int(size),
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-            self.lamps,
-            self.scene.ambient,
-        )
+        last = self.strokes.count
+        self.strokes.draw(target, top, bottom, self.few, last, LEAST_LINE, cover)

@@ -3,7 +3,7 @@
 One idea: corners are snapped to 1/256 pixel and every edge is evaluated in float64 from its
 upper to its lower end, so that two triangles that share an edge agree on every row where it is.
 Invariant: a pixel whose middle is inside a closed surface's outline is hit exactly once by its
-front; a row outside [`top`, `bottom`) is never touched.
+front; nothing outside the box that may be touched is.
 """
 
 from __future__ import annotations
@@ -119,7 +119,8 @@ def by_height(
 @njit(cache=True, nogil=True, error_model="numpy")
 def span_of(
     y: int,
-    width: int,
+    begin: int,
+    end: int,
     x0: float,
     y0: float,
     x1: float,
@@ -128,7 +129,10 @@ def span_of(
     y2: float,
     cross: float,
 ) -> tuple[int, int]:
-    """Return the first pixel and the one after the last of a row; corners as `by_height`."""
+    """Return the first pixel and the one after the last of a row, within `begin` and `end`.
+
+    The corners come as from `by_height`.
+    """
     middle = y + 0.5
     along = x0 + (middle - y0) * ((x2 - x0) / (y2 - y0))
     if middle <= y1:
@@ -136,9 +140,9 @@ def span_of(
     else:
         aside = x1 + (middle - y1) * ((x2 - x1) / (y2 - y1)) if y2 > y1 else x1
     left, right = (along, aside) if cross > 0.0 else (aside, along)
-    left = min(max(left, 0.0), width + 1.0)
-    right = min(max(right, 0.0), width + 1.0)
-    return max(int(np.ceil(left - 0.5)), 0), min(int(np.ceil(right - 0.5)), width)
+    left = min(max(left, begin), end + 1.0)
+    right = min(max(right, begin), end + 1.0)
+    return max(int(np.ceil(left - 0.5)), begin), min(int(np.ceil(right - 0.5)), end)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -152,22 +156,25 @@ def rows_of(y0: float, y2: float, top: int, bottom: int) -> tuple[int, int]:
 @njit(cache=True, nogil=True, error_model="numpy")
 def fill_flat(
     image: Pixels,
-    top: int,
-    bottom: int,
+    box: tuple[int, int, int, int],
     p: Floats,
     q: Floats,
     r: Floats,
     colour: np.uint32,
     share: float,
 ) -> None:
-    """Fill one triangle with one colour, or mix it in where `share` is less than 1."""
+    """Fill one triangle with one colour, or mix it in where `share` is less than 1.
+
+    `box` is the first column and row that may be touched, and those after the last.
+    """
+    left, top, right, bottom = box
     x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
-    if cross == 0.0:
+    if cross == 0.0 or max(x0, x1, x2) < left or min(x0, x1, x2) > right:
         return
-    width = image.shape[1]
     first, last = rows_of(y0, y2, top, bottom)
+    part = np.uint32(share * 256.0)
     for y in range(first, last):
-        begin, end = span_of(y, width, x0, y0, x1, y1, x2, y2, cross)
+        begin, end = span_of(y, left, right, x0, y0, x1, y1, x2, y2, cross)
         if begin >= end:
             continue
         row = image[y, begin:end]
@@ -175,11 +182,15 @@ def fill_flat(
             for i in range(row.shape[0]):
                 row[i] = colour
         else:
-            part = np.uint32(share * 256.0)
-            keep = np.uint32(256) - part
-            odd, even = np.uint32(0xFF00FF), np.uint32(0x00FF00)
             for i in range(row.shape[0]):
-                old = row[i]
-                outer = ((old & odd) * keep + (colour & odd) * part) >> np.uint32(8)
-                inner = ((old & even) * keep + (colour & even) * part) >> np.uint32(8)
-                row[i] = (outer & odd) | (inner & even)
+                row[i] = blend(row[i], colour, part)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def blend(old: np.uint32, new: np.uint32, part: np.uint32) -> np.uint32:
+    """Return `new` mixed into `old` by `part` / 256, both 0x00RRGGBB."""
+    odd, even = np.uint32(0xFF00FF), np.uint32(0x00FF00)
+    keep = np.uint32(256) - part
+    outer = ((old & odd) * keep + (new & odd) * part + np.uint32(0x800080)) >> np.uint32(8)
+    inner = ((old & even) * keep + (new & even) * part + np.uint32(0x008000)) >> np.uint32(8)
+    return np.uint32((outer & odd) | (inner & even))

@@ -36,7 +36,7 @@ def make_renderer(name: str) -> Renderer:
         from engine.kernel_cache import drop_stale  # noqa: PLC0415
         from engine.render import line_kernels  # noqa: PLC0415
 
-        cache = Path(str(line_kernels.draw_segments.stats.cache_path))
+        cache = Path(str(line_kernels.draw_strokes.stats.cache_path))
         drop_stale(cache, Path(__file__).parent)
     if name == "wireframe":
         from engine.render.wireframe import Wireframe  # noqa: PLC0415

@@ -7,36 +7,33 @@ Invariant: with the kept picture or without, with one thread or two, the pixels 
 
 from __future__ import annotations
 
-import itertools
-from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from engine.render import depth_kernels, line_kernels, raster, shading
-from engine.render.image import Canvas, Picture
-from engine.render.pack import (
-    Pack,
-    Packer,
-    Spheres,
-    UnitSpheres,
-    View,
-    join,
-    lines_of,
-    no_spheres,
-    sphere_pack,
-    view_of,
-)
+from engine.render import depth_kernels, disc_kernels, sphere_kernels
+from engine.render.bands import Bands
+from engine.render.image import Canvas, Picture, Target
+from engine.render.keep import Kept
+from engine.render.pack import join
+from engine.render.packer import Packer
+from engine.render.placed import Placed, place
+from engine.render.spheres import UnitSpheres, no_spheres, sphere_pack
+from engine.render.strokes import Strokes
+from engine.render.surroundings import Backdrop, discs_of, lamps_of
+from engine.render.view import View, view_of
 from engine.render.warm import tiny_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
-
-    from engine.render.image import Pixels
+    from engine.render.arrays import Floats, Ints, Pixels, Singles
+    from engine.render.lines import Lines
+    from engine.render.pack import Pack
+    from engine.render.spheres import Spheres
     from engine.scene.scene import Scene
-    from engine.scene.shape import Disc
 
 LEAST_LINE = 1.1
 
@@ -49,17 +46,16 @@ class Scanline:
     """
 
     def __init__(self, threads: int = 2, *, flat: bool = False, keeps: bool = True) -> None:
+        self._bands = Bands(threads)
         self._packer = Packer()
         self._canvas = Canvas()
-        self._threads = max(1, threads)
-        self._pool = ThreadPoolExecutor(self._threads) if self._threads > 1 else None
         self._flat = flat
         self._units = UnitSpheres()
-        self._keeps = keeps
-        self._depth = np.zeros((1, 1), np.float32)
-        self._kept: tuple[object, ...] = ()
-        self._kept_pixels = np.zeros((1, 1), np.uint32)
-        self._kept_depth = np.zeros((1, 1), np.float32)
+        self._kept = Kept(on=keeps)
+        self._strokes, self._still_strokes = Strokes(), Strokes()
+        self._backdrop = Backdrop()
+        self._depth: Singles = np.zeros((1, 1), np.float32)
+        self._drawn: Ints = np.zeros((0, 4), np.int32)
 
     def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
@@ -72,155 +68,157 @@ class Scanline:
 
     def render(self, scene: Scene, image: Picture) -> None:
         """Draw a scene into a picture."""
-        pixels = self._canvas.open(image)
-        if self._depth.shape != pixels.shape:
-            self._depth = np.zeros(pixels.shape, np.float32)
-        view = view_of(scene.camera, (pixels.shape[1], pixels.shape[0]))
-        job = _Job(self, scene, view, pixels, self._depth)
-        self._draw_fixed(job, scene)
-        self._bands(job.draw_moving, len(pixels))
-        self._canvas.close(pixels, image)
-
-    def _draw_fixed(self, job: _Job, scene: Scene) -> None:
-        key = (
-            job.fixed,
-            scene.camera,
-            scene.lights,
-            scene.background,
-            scene.ambient,
-            job.pixels.shape,
+        target = self._canvas.open(image)
+        size = target.size
+        if self._depth.shape != size[::-1]:
+            self._depth = np.zeros(size[::-1], np.float32)
+        fixed, lines = self._packer.fixed(scene)
+        kept = self._kept
+        known = kept.knows(
+            (fixed, scene.camera, scene.lights, scene.background, scene.ambient, size)
         )
-        if self._keeps and _same(key, self._kept):
-            job.pixels[...] = self._kept_pixels
-            job.depth[...] = self._kept_depth
-            return
-        self._bands(job.draw_fixed, len(job.pixels))
-        resting = len(self._kept) > 1 and self._kept[1] == scene.camera
-        if self._keeps and (resting or not self._kept):
-            self._kept_pixels, self._kept_depth = job.pixels.copy(), job.depth.copy()
-            self._kept = key
-        else:
-            self._kept = (None, scene.camera)
+        if kept.wants_picture:
+            kept.depth = np.zeros(size[::-1], np.float32)
+        frame = self._prepare(scene, target)
+        still = None if known else self._prepare_fixed(scene, frame, fixed, lines)
+        draw = partial(self._draw, target, frame, still, self._drawn)
+        self._bands.run(draw, 0, target.height)
+        self._drawn = frame.touched
+        self._canvas.close(target, image)
 
-    def _bands(self, draw: Callable[[int, int], None], height: int) -> None:
-        """Draw the picture in bands of rows, each by a thread of its own."""
-        if self._pool is None:
-            draw(0, height)
-            return
-        cuts = [height * k // self._threads for k in range(self._threads + 1)]
-        waiting = [self._pool.submit(draw, a, b) for a, b in itertools.pairwise(cuts)]
-        for band in waiting:
-            band.result()
-
-    @property
-    def packer(self) -> Packer:
-        """Return what packs this renderer's scenes."""
-        return self._packer
-
-    @property
-    def units(self) -> UnitSpheres:
-        """Return the unit spheres for flat pictures."""
-        return self._units
-
-    @property
-    def flat(self) -> bool:
-        """Return whether every face has one colour."""
-        return self._flat
-
-
-def _same(a: tuple[object, ...], b: tuple[object, ...]) -> bool:
-    return len(a) == len(b) and a[0] is b[0] and a[1:] == b[1:]
-
-
-class _Job:
-    """One frame: the scene in arrays, shared by the bands."""
-
-    def __init__(
+    def _draw(
         self,
-        renderer: Scanline,
-        scene: Scene,
-        view: View,
-        pixels: Pixels,
-        depth: NDArray[np.float32],
+        target: Target,
+        frame: _Frame,
+        still: _Still | None,
+        drawn: Ints,
+        top: int,
+        bottom: int,
     ) -> None:
-        packer = renderer.packer
-        self.pixels, self.depth, self.view = pixels, depth, view
-        self.flat = renderer.flat
-        self.background = scene.background
-        self.ambient = scene.ambient
-        self.lamps = lamps_of(scene)
-        self.fixed = packer.fixed(scene)
-        self.moving = packer.moving(scene)
-        self.spheres = packer.spheres(scene)
-        if self.flat:
-            self._flatten_spheres(renderer.units)
-        self.lines = lines_of(scene)
-        self.discs, self.disc_colours = discs_of((*scene.marks, *scene.shadows))
-        self._moving_points = _project(self.moving, view)
-        self._moving_shades = self._shade(self.moving)
-        self._fixed_points: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
-        self._order = far_first(self.spheres, view)
+        """Draw a band: what never moves, or what is kept of it; then what moves."""
+        rows, kept = target.rows[top:bottom, : target.width], self._kept
+        if still is None:
+            rows[...] = kept.pixels[top:bottom]
+            sphere_kernels.restore(self._depth, kept.depth, drawn, top, bottom)
+        else:
+            still.draw(target, self._depth, frame, top, bottom)
+            if kept.wants_picture:
+                kept.pixels[top:bottom] = rows
+                kept.depth[top:bottom] = self._depth[top:bottom]
+        frame.draw(target, self._depth, top, bottom)
 
-    def _flatten_spheres(self, units: UnitSpheres) -> None:
-        """Make meshes of the spheres, for a picture with one light a face."""
-        s = self.spheres
+    def _prepare_fixed(self, scene: Scene, frame: _Frame, fixed: Pack, lines: Lines) -> _Still:
+        strokes = self._still_strokes
+        strokes.begin(frame.view)
+        strokes.add_lines(lines)
+        return _Still(
+            background=self._backdrop.rows(scene.background, frame.view.size[1]),
+            placed=place(fixed, frame.view, frame.lamps, scene.ambient, lit=self._flat),
+            strokes=strokes,
+        )
+
+    def _prepare(self, scene: Scene, target: Target) -> _Frame:
+        view = view_of(scene.camera, target.size)
+        moving, lines = self._packer.moving(scene)
+        self._strokes.begin(view)
+        self._strokes.add_lines(lines)
+        spheres = self._packer.spheres(scene)
+        if self._flat:
+            moving, spheres = self._flatten(moving, spheres, view), no_spheres()
+        lamps = lamps_of(scene)
+        discs, shades = discs_of((*scene.marks, *scene.shadows))
+        seen, boxes = _place_spheres(spheres, view)
+        return _Frame(
+            view=view,
+            flat=self._flat,
+            lamps=lamps,
+            ambient=scene.ambient,
+            moving=place(moving, view, lamps, scene.ambient, lit=self._flat),
+            spheres=spheres,
+            seen=seen,
+            boxes=boxes,
+            strokes=self._strokes,
+            discs=discs,
+            shades=shades,
+        )
+
+    def _flatten(self, moving: Pack, s: Spheres, view: View) -> Pack:
+        """Return what moves with meshes for the spheres, for a picture with one light a face."""
+        units = [self._units.one(number) for number in self._units.choose(s, view)]
         packs = [
             sphere_pack(
                 unit, s.centres[i], s.rotations[i], s.radii[i], s.colours[i], float(s.gloss[i])
             )
-            for i, unit in enumerate(units.of(s, self.view))
+            for i, unit in enumerate(units)
         ]
-        self.moving = join([self.moving, *packs])
-        self.spheres = no_spheres()
+        return join([moving, *packs])
 
-    def draw_fixed(self, top: int, bottom: int) -> None:
-        """Draw background and fixed parts in a band of rows."""
-        shade_background(self.pixels, self.background, top, bottom)
-        self.depth[top:bottom] = 0.0
-        points = _project(self.fixed, self.view)
-        self._triangles(self.fixed, points, self._shade(self.fixed), top, bottom)
-        self._tints(self.fixed, points, top, bottom)
 
-    def draw_moving(self, top: int, bottom: int) -> None:
-        """Draw tints, marks, shadows and what moves in a band of rows."""
-        view, lines, s = self.view, self.lines, self.spheres
-        self._tints(self.moving, self._moving_points, top, bottom)
-        shading.draw_discs(
-            self.pixels,
-            self.depth,
+@dataclass(frozen=True, slots=True, eq=False)
+class _Still:
+    """What never moves, as one camera sees it."""
+
+    background: Pixels
+    placed: Placed
+    strokes: Strokes
+
+    def draw(self, target: Target, depth: Singles, frame: _Frame, top: int, bottom: int) -> None:
+        """Draw a band of rows anew."""
+        target.rows[top:bottom, : target.width] = self.background[top:bottom]
+        depth[top:bottom] = 0.0
+        frame.fill(target, depth, self.placed, top, bottom)
+        frame.tint(target, depth, self.placed, top, bottom)
+        self.strokes.draw(target, top, bottom, 0, self.strokes.count, LEAST_LINE, depth)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Frame:
+    """What may move, as one camera sees it, and the light on everything; shared by the bands.
+
+    `seen` (n, 3) and `boxes` (n, 4) are the spheres' centres and what they cover on the screen.
+    """
+
+    view: View
+    flat: bool
+    lamps: Floats
+    ambient: float
+    moving: Placed
+    spheres: Spheres
+    seen: Floats
+    boxes: Ints
+    strokes: Strokes
+    discs: Floats
+    shades: Pixels
+
+    @property
+    def touched(self) -> Ints:
+        """Return boxes of pixels about all that this frame writes into the depths."""
+        return np.concatenate([self.boxes, self.moving.box(self.view.size)])
+
+    def draw(self, target: Target, depth: Singles, top: int, bottom: int) -> None:
+        """Draw tints, marks, shadows, lines and what moves in a band of rows."""
+        s, numbers = self.spheres, self.view.numbers
+        self.tint(target, depth, self.moving, top, bottom)
+        disc_kernels.draw_discs(
+            target.rows,
+            depth,
             True,  # noqa: FBT003  a kernel's flag
             top,
             bottom,
             self.discs,
-            self.disc_colours,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
+            self.shades,
+            *numbers,
         )
-        line_kernels.draw_segments(
-            self.pixels,
-            self.depth,
-            True,  # noqa: FBT003  a kernel's flag
+        self.strokes.draw(target, top, bottom, 0, self.strokes.count, LEAST_LINE, depth)
+        self.fill(target, depth, self.moving, top, bottom)
+        sphere_kernels.draw_spheres(
+            target.rows,
+            depth,
             top,
             bottom,
-            lines.ends,
-            lines.colours,
-            lines.widths,
-            lines.alphas,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
-            LEAST_LINE,
-        )
-        self._triangles(self.moving, self._moving_points, self._moving_shades, top, bottom)
-        depth_kernels.draw_spheres(
-            self.pixels,
-            self.depth,
-            top,
-            bottom,
-            self._order,
+            np.argsort(-(self.seen**2).sum(axis=1), kind="stable"),
+            self.seen,
+            self.boxes,
             s.centres,
             s.rotations,
             s.radii,
@@ -228,45 +226,21 @@ class _Job:
             s.gloss,
             s.skins,
             s.skin_places,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
             self.lamps,
             self.ambient,
+            *numbers,
         )
 
-    def _shade(self, pack: Pack) -> NDArray[np.uint32]:
-        shades = np.zeros(len(pack.face_normals), np.uint32)
-        if self.flat:
-            shading.shade_faces(
-                pack.face_centres,
-                pack.face_normals,
-                pack.face_colours,
-                pack.face_light,
-                self.view.eye,
-                self.lamps,
-                self.ambient,
-                shades,
-            )
-        return shades
-
-    def _triangles(
-        self,
-        pack: Pack,
-        points: tuple[NDArray[np.float64], NDArray[np.float64]],
-        shades: NDArray[np.uint32],
-        top: int,
-        bottom: int,
-    ) -> None:
-        view = self.view
+    def fill(self, target: Target, depth: Singles, placed: Placed, top: int, bottom: int) -> None:
+        """Draw the triangles of a pack that hide what is behind them."""
+        pack = placed.pack
         depth_kernels.draw_triangles(
-            self.pixels,
-            self.depth,
+            target.rows,
+            depth,
             top,
             bottom,
-            points[0],
-            points[1],
+            placed.seen,
+            placed.screen,
             pack.triangles,
             pack.faces,
             pack.face_normals,
@@ -275,94 +249,37 @@ class _Job:
             pack.face_light,
             pack.face_smooth,
             pack.normals,
-            view.eye,
-            view.basis,
-            view.focal,
-            view.near,
             self.lamps,
             self.ambient,
             self.flat,
-            shades,
+            placed.shades,
+            *self.view.numbers,
         )
 
-    def _tints(
-        self,
-        pack: Pack,
-        points: tuple[NDArray[np.float64], NDArray[np.float64]],
-        top: int,
-        bottom: int,
-    ) -> None:
-        view = self.view
+    def tint(self, target: Target, depth: Singles, placed: Placed, top: int, bottom: int) -> None:
+        """Draw the triangles of a pack that let light through."""
+        pack, (eye, _, *lens) = placed.pack, self.view.numbers
         depth_kernels.draw_tints(
-            self.pixels,
-            self.depth,
+            target.rows,
+            depth,
             top,
             bottom,
-            points[0],
-            points[1],
+            placed.seen,
+            placed.screen,
             pack.triangles,
             pack.faces,
             pack.face_normals,
             pack.face_offsets,
-            pack.face_colours,
             pack.face_light,
-            view.eye,
-            view.focal,
-            view.near,
+            placed.shades,
+            eye,
+            *lens,
         )
 
 
-def _project(pack: Pack, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    seen, screen = np.zeros((len(pack.points), 3)), np.zeros((len(pack.points), 3))
-    raster.project_points(
-        pack.points,
-        view.eye,
-        view.basis,
-        view.focal,
-        view.near,
-        float(view.size[0]),
-        float(view.size[1]),
-        seen,
-        screen,
-    )
-    return seen, screen
-
-
-def shade_background(
-    pixels: Pixels,
-    colours: tuple[tuple[int, int, int], tuple[int, int, int]],
-    top: int,
-    bottom: int,
-) -> None:
-    """Paint a band of the background."""
-    upper, lower = (np.array(c, dtype=np.float64) for c in colours)
-    share = np.linspace(0.0, 1.0, len(pixels))[top:bottom, None]
-    fill_rows(pixels[top:bottom], upper * (1.0 - share) + lower * share)
-
-
-def fill_rows(pixels: Pixels, colours: NDArray[np.float64]) -> None:
-    """Give every row a colour of its own."""
-    shade = np.rint(colours).astype(np.uint32)
-    pixels[...] = ((shade[:, 0] << 16) | (shade[:, 1] << 8) | shade[:, 2])[:, None]
-
-
-def lamps_of(scene: Scene) -> NDArray[np.float64]:
-    """Return the lights as (n, 4): position and power."""
-    rows = [(*light.position, light.power) for light in scene.lights]
-    return np.array(rows, dtype=np.float64).reshape(-1, 4)
-
-
-def discs_of(discs: tuple[Disc, ...]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-    """Return discs as (n, 6) and their colours (n, 3)."""
-    rows = [(*d.centre, d.radius, d.alpha, d.softness) for d in discs]
-    colours = [d.colour for d in discs]
-    return (
-        np.array(rows, dtype=np.float64).reshape(-1, 6),
-        np.array(colours, dtype=np.uint8).reshape(-1, 3),
-    )
-
-
-def far_first(spheres: Spheres, view: View) -> NDArray[np.int64]:
-    """Return the spheres' numbers from the farthest to the nearest."""
-    away = ((spheres.centres - view.eye) ** 2).sum(axis=1)
-    return np.argsort(-away, kind="stable")
+def _place_spheres(spheres: Spheres, view: View) -> tuple[Floats, Ints]:
+    """Return the spheres' centres in camera coordinates, and the pixels they cover, (n, 4)."""
+    count = len(spheres.radii)
+    seen, boxes = np.zeros((count, 3)), np.zeros((count, 4), np.int32)
+    sphere_kernels.sphere_boxes(spheres.centres, spheres.radii, *view.numbers, seen, boxes)
+    return seen, boxes

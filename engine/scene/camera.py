@@ -34,13 +34,15 @@ class Camera:
 
         Raises ValueError where `up` lies along the view, or the target at the eye.
         """
-        ahead = np.subtract(self.target, self.eye)
-        right = np.cross(ahead, self.up)
-        sizes = float(np.linalg.norm(ahead)), float(np.linalg.norm(right))
-        if min(sizes) < 1e-12:
+        x, y, z = (t - e for t, e in zip(self.target, self.eye, strict=True))
+        u, v, w = self.up
+        right = (y * w - z * v, z * u - x * w, x * v - y * u)
+        far, wide = hypot(x, y, z), hypot(*right)
+        if min(far, wide) < 1e-12:
             raise ValueError("a camera looks somewhere, and its up is not where it looks")
-        ahead, right = ahead / sizes[0], right / sizes[1]
-        return np.array([right, np.cross(ahead, right), ahead])
+        x, y, z = x / far, y / far, z / far
+        a, b, c = (part / wide for part in right)
+        return np.array([(a, b, c), (y * c - z * b, z * a - x * c, x * b - y * a), (x, y, z)])
 
     def focal(self, height: int) -> float:
         """Return the pixels that one metre takes at a depth of one metre."""
