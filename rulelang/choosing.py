@@ -6,10 +6,12 @@ and `chooser` is who chooses. Invariant: without a word about it, the chooser pl
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rulelang.closures import clear, player_before
 from rulelang.decisions import Decisions, InHand
+from rulelang.explain import outcome_of, said_of
 from rulelang.facts import Rest, Shot
 from rulelang.judging import judge_shot
 from rulelang.moment import cue_ball_of, endings_of, homes_of, look
@@ -24,6 +26,7 @@ from rulelang.settle import (
 )
 
 if TYPE_CHECKING:
+    from rulelang.decisions import RuleOutcome
     from rulelang.facts import Situation
     from rulelang.firing import Fired
     from rulelang.program import Program
@@ -70,7 +73,20 @@ def choose(
         made.run(c, out)
     rule = next((r for r in rules if made is not None and r.number == made.rule), None)
     fired: Fired = [] if rule is None else [(rule, out)]
-    return _chosen(program, situation, before, c, fired)
+    decided = _chosen(program, situation, before, c, fired)
+    return replace(decided, explanation=_told(c, option, fired))
+
+
+def _told(c: Watch, option: str, fired: Fired) -> tuple[RuleOutcome, ...]:
+    """Return the rule that offered the option, and what its consequences did."""
+    because = f"player {c.chooser} chose {option}"
+    return tuple(
+        replace(
+            outcome_of(rule.info, "fired", because, (), tuple(said_of(c, one) for one in made)),
+            section="choice",
+        )
+        for rule, made in fired
+    )
 
 
 def _chosen(

@@ -55,7 +55,7 @@ def derive(made: Code, kind: str, run: k.Run, **changes: Any) -> Code:
     """Return a Code like `made` with another kind and closure."""
     new = Code(
         kind, run, since=made.since, staged=made.staged, fouls=made.fouls, text=made.text,
-        word=made.word, shown=made.shown, parts=made.parts,
+        word=made.word, shown=made.shown, beside=made.beside, parts=made.parts,
     )  # fmt: skip
     for name, value in changes.items():
         setattr(new, name, value)

@@ -44,6 +44,7 @@ class Code:
     makes it true (None: it did not happen), `witness` the numbers of all that did.
     `needs` has a bit for each verb of which one must have happened for it to be true (0: not
     known), `phases` are the phases in which it can be true (None: any).
+    `shown` is what an explanation tells the value of, `beside` what it was compared with.
     `since` is the earliest section that may read it; `staged` that its value changes from
     section to section; `fouls` that it speaks of fouls.
     """
@@ -63,6 +64,7 @@ class Code:
     word: str = ""
     text: str = ""
     shown: Code | None = None
+    beside: Code | None = None
     needs: int = 0
     phases: frozenset[str] | None = None
 

@@ -29,6 +29,7 @@ from rulelang.program import (
 )
 from rulelang.statements import Statements
 from rulelang.syntax import walk
+from rulelang.telling import in_phases
 from rulelang.timers import home_of, parted
 from rulelang.where import head_of, narrowed, span_of
 
@@ -273,7 +274,7 @@ class _Work:
             _plain(run) if guard is None else _guarded(guard[0].truth, guard[1]),
             statements.late or (section == "game end" and _ends(rule.body)),
             (),
-            tuple(statements.conditions),
+            in_phases(rule.phases, tuple(statements.outline)),
             0 if guard is None else guard[0].needs,
             phases,
         )

@@ -86,7 +86,14 @@ class Conditions:
             hit = mask(c) & all_of
             return fits_set(how, count, all_of & ~hit if negated else hit, all_of)
 
-        return joined(Code(k.FLAG, run, shown=base), base, test)
+        if node.test.word in ("same", "one of"):
+            return joined(Code(k.FLAG, run, shown=base), base, test)
+        hits = Code(k.BALLS, lambda c: mask(c) & whole(c), text=self._written(node.test))
+        return joined(Code(k.FLAG, run, shown=hits), base, test)
+
+    def _written(self, test: s.Test) -> str:
+        """Return a test as the script has it, on one line."""
+        return " ".join(self.x.source[test.at.start : test.at.end].split())
 
     def _members(self, node: s.Is, base: Code) -> Code:
         """Compile the right side as the set of balls of which it is true."""
@@ -153,9 +160,9 @@ class Conditions:
     def _shot_is(self, test: s.Test, left: Code) -> Code:
         value = test.value
         if isinstance(value, s.Name) and value.name == "legal":
-            return joined(Code(k.FLAG, lambda c: c.legal), left)
+            return joined(Code(k.FLAG, lambda c: c.legal, word="shot"), left)
         if isinstance(value, s.Noun) and value.words == "foul":
-            return joined(Code(k.FLAG, lambda c: not c.legal), left)
+            return joined(Code(k.FLAG, lambda c: not c.legal, word="shot"), left)
         raise Mistake("R302", test.at, "a shot is legal or foul", "say `shot is legal`")
 
     def _scores_are(self, test: s.Test, left: Code) -> Code:
@@ -174,7 +181,8 @@ class Conditions:
                 mend = nearest(name.name, self.x.scope.fouls) or "no rule finds this foul"
                 raise Mistake("R201", name.at, f'"{name.name}" is not a foul', mend)
             wanted.add(name.name)
-        return joined(Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls)), left)
+        found = Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls), word="fouls")
+        return joined(found, left)
 
     def _number_is(self, test: s.Test, left: Code, subject: s.Expr) -> Code:
         if left.kind != k.NUMBER:
@@ -187,7 +195,8 @@ class Conditions:
         assert test.value is not None  # noqa: S101
         right = self.x.want(test.value, k.NUMBER)
         a, b, op = left.run, right.run, _COMPARISONS[test.word]
-        return joined(Code(k.FLAG, lambda c: op(a(c), b(c)), shown=left), left, right)
+        made = Code(k.FLAG, lambda c: op(a(c), b(c)), shown=left, beside=right)
+        return joined(made, left, right)
 
     def _balls_are(self, node: s.Is, left: Code) -> Code:
         if left.kind != k.BALLS:
@@ -197,7 +206,10 @@ class Conditions:
             return joined(Code(k.FLAG, lambda c: a(c) == 0, shown=left), left)
         right = self._members(node, left)
         b = right.run
-        return joined(Code(k.FLAG, lambda c: a(c) & b(c) != 0, shown=left), left, right)
+        made = Code(k.FLAG, lambda c: a(c) & b(c) != 0)
+        if test.word in ("same", "one of"):
+            made.shown, made.beside = left, right
+        return joined(made, left, right)
 
     def _name_is_one_of(self, test: s.Test, left: Code) -> Code:
         value = test.value
@@ -221,7 +233,7 @@ class Conditions:
         if constant is not None:
             phases = frozenset([constant]) if left.word == "phase" else None
             return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, phases=phases), left)
-        return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left), left, right)
+        return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left, beside=right), left, right)
 
     def _right(self, node: s.Expr, left: Code) -> Code:
         if isinstance(node, s.Nothing) and left.kind == k.NAME:

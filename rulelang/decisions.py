@@ -109,8 +109,9 @@ class RuleOutcome:
     """How one rule fared: "fired", "silent" (its condition was false) or "overridden".
 
     `because` tells, for a fired rule, the condition with its values; for a silent one the part
-    that was false; for an overridden one, the rule that overrode it. `events` are indexes of
-    the shot's events that made it so. `said` lists what the rule decided, in the script's words.
+    that was false; for an overridden one, the rule that overrode it, or the one that ended the
+    game, by which it is void. `events` are indexes of the shot's events that made it so. `said`
+    lists what the rule decided, in the script's words.
     """
 
     rule: str

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
-from rulelang import code as k
-from rulelang.closures import clear, names_of
+from rulelang.closures import clear
 from rulelang.decisions import RuleOutcome
-from rulelang.watch import BEGIN, END
+from rulelang.program import STAGE
+from rulelang.telling import balls, why
+from rulelang.watch import FUEL
 
 if TYPE_CHECKING:
-    from rulelang.code import Code
-    from rulelang.program import CompiledRule, Program
+    from rulelang.program import CompiledRule, Program, RuleInfo
     from rulelang.watch import Watch
 
 
@@ -57,8 +57,9 @@ class Explanation(Sequence[RuleOutcome]):
     def outcomes(self) -> tuple[RuleOutcome, ...]:
         """Return every outcome, in the order of sections and script."""
         if self._outcomes is None:
+            over = _ender(self._log)
             self._outcomes = tuple(
-                self._tell(rule, *_fared(rule, fired, beaten))
+                self._tell(rule, *_in_force(rule, over, *_fared(rule, fired, beaten)))
                 for rules, fired, beaten in self._log
                 for rule in rules
             )
@@ -67,27 +68,16 @@ class Explanation(Sequence[RuleOutcome]):
     def _tell(self, rule: CompiledRule, outcome: str, detail: Any) -> RuleOutcome:
         c = self._watch
         self._look(rule.stage, late=rule.late)
-        because = ""
+        c.fuel = FUEL
         events: tuple[int, ...] = ()
+        said: tuple[str, ...] = ()
         if outcome == "overridden":
-            because = f'overridden by "{detail.info.name}"'
-        elif outcome == "fired":
-            because, events = _fired(rule, c)
+            because = detail
         else:
-            because = _silent(rule, c)
-        said = tuple(_said(c, one) for one in detail) if outcome == "fired" else ()
-        info = rule.info
-        return RuleOutcome(
-            info.name,
-            info.section,
-            info.cites,
-            outcome,
-            because,
-            events,
-            said,
-            info.line,
-            info.file,
-        )
+            because, events = why(rule.outline, c, fired=outcome == "fired")
+        if outcome == "fired":
+            said = tuple(said_of(c, one) for one in detail if not _is_empty(one))
+        return outcome_of(rule.info, outcome, because, events, said)
 
     def _look(self, stage: int, *, late: bool) -> None:
         """Set the watch to what a section saw."""
@@ -103,70 +93,58 @@ class Explanation(Sequence[RuleOutcome]):
         clear(c.memo, self._program.staged)
 
 
+def outcome_of(
+    info: RuleInfo, outcome: str, because: str, events: tuple[int, ...], said: tuple[str, ...]
+) -> RuleOutcome:
+    """Return how a rule fared."""
+    return RuleOutcome(
+        info.name, info.section, info.cites, outcome, because, events, said, info.line, info.file
+    )
+
+
 def _fared(rule: CompiledRule, fired: Any, beaten: Any) -> tuple[str, Any]:
-    """Return how a rule fared, and its decisions or the rule that overrode it."""
+    """Return how a rule fared, and its decisions or why it was overridden."""
     for other, made in fired:
         if other.number == rule.number:
-            return "fired", made
+            return ("silent", None) if made and all(map(_is_empty, made)) else ("fired", made)
     if rule.number in beaten:
-        return "overridden", beaten[rule.number]
+        return "overridden", f'overridden by "{beaten[rule.number].info.name}"'
     return "silent", None
 
 
-def _fired(rule: CompiledRule, c: Watch) -> tuple[str, tuple[int, ...]]:
-    for condition in rule.conditions:
-        if condition.truth is not None and condition.truth(c):
-            return _told(condition, c, holds=True), tuple(sorted(set(_events(condition, c))))
-    return "otherwise" if rule.conditions else "always", ()
+def _ender(log: Any) -> str:
+    """Return the rule that ended the game, "" where it goes on."""
+    _, fired, _ = log[-1]
+    return next((rule.info.name for rule, made in fired for one in made if one[0] == "end"), "")
 
 
-def _silent(rule: CompiledRule, c: Watch) -> str:
-    reasons = [_told(one, c, holds=False) for one in rule.conditions]
-    return "; ".join(reasons) or "nothing to do"
+def _in_force(rule: CompiledRule, over: str, outcome: str, detail: Any) -> tuple[str, Any]:
+    """Return what stands of a rule's decisions: when the game is over, nothing comes next."""
+    if not over or outcome != "fired" or not detail:
+        return outcome, detail
+    left = [one for one in detail if one[0] not in VOID]
+    if left or rule.stage == STAGE["ending"]:
+        return outcome, left or detail
+    return "overridden", f'void: "{over}" ended the game'
 
 
-def _told(code: Code, c: Watch, *, holds: bool) -> str:
-    """Tell the parts that made a condition true, or the first that made it false."""
-    if code.word == "and":
-        parts = [p for p in code.parts if bool(_true(p, c)) == holds]
-        parts = parts if holds else parts[:1]
-        return "; ".join(_told(p, c, holds=holds) for p in parts)
-    if code.word == "or":
-        parts = [p for p in code.parts if bool(_true(p, c)) == holds]
-        parts = parts[:1] if holds else parts
-        return "; ".join(_told(p, c, holds=holds) for p in parts)
-    if code.word == "not":
-        return f"{code.text}: {'yes' if holds else 'no'}"
-    if code.shown is not None and code.word != "define":
-        return f"{code.text}: {code.shown.text} was {_value(code.shown, c)}"
-    return f"{code.text}: {'yes' if holds else 'no'}"
+VOID = ("turn", "phase", "hand", "offer", "rerack")
+"""What is void when the game is over."""
+_COUNTED = ("spot", "remove", "set up", "strike")
 
 
-def _true(code: Code, c: Watch) -> bool:
-    return code.truth is not None and bool(code.truth(c))
+def _is_empty(decision: tuple[Any, ...]) -> bool:
+    """Tell whether a decision is one of nothing: no points, no balls."""
+    tag = decision[0]
+    if tag == "points":
+        return bool(decision[2] == 0)
+    if tag == "write":
+        return bool(decision[1] == "add" and decision[4] == 0)
+    return tag in _COUNTED and decision[1] == 0
 
 
-def _value(code: Code, c: Watch) -> str:
-    value = code.run(c)
-    if code.kind == k.BALLS:
-        return ", ".join(sorted(names_of(c, value))) or "nothing"
-    if code.kind == k.FLAG:
-        return "yes" if value else "no"
-    if code.kind == k.PLAYER:
-        return f"player {value}"
-    return str(value)
-
-
-def _events(code: Code, c: Watch) -> list[int]:
-    if code.witness is not None:
-        return [n for n in code.witness(c, BEGIN, END) if 0 <= n < END]
-    if code.word == "not":
-        return []
-    parts = [*code.parts, *([code.shown] if code.shown is not None else [])]
-    return [n for part in parts if _true(part, c) or part.truth is None for n in _events(part, c)]
-
-
-def _said(c: Watch, decision: tuple[Any, ...]) -> str:
+def said_of(c: Watch, decision: tuple[Any, ...]) -> str:
+    """Return what a rule decided, in the words of a script."""
     tag, *rest = decision
     match tag:
         case "foul":
@@ -174,24 +152,35 @@ def _said(c: Watch, decision: tuple[Any, ...]) -> str:
         case "points":
             return f"{rest[1]:+d} to player {rest[0]}"
         case "write":
-            whose = "" if rest[2] is None else f" of player {rest[2]}"
-            return f"{rest[0]} {rest[1]}{whose}" + ("" if rest[3] is None else f" to {rest[3]}")
+            return _written(*rest)
         case "turn":
             passes = "turn passes" + (f" to player {rest[1]}" if rest[1] else "")
             return "turn continues" if rest[0] else passes
         case "phase":
             return f"go to phase {rest[0]}"
         case "spot" | "remove":
-            return f"{tag} " + ", ".join(sorted(names_of(c, rest[0])))
+            return f"{tag} " + balls(c, rest[0])
         case "set up":
-            return "set up " + ", ".join(sorted(names_of(c, rest[0])))
+            return "set up " + balls(c, rest[0])
         case "hand":
             return f"player {rest[0]} has the cue ball in hand in {rest[1]}"
         case "offer":
             return f"player {rest[0]} may choose {rest[1]}"
         case "end":
             return f"player {rest[1]} wins the {rest[0]}" if rest[1] else f"the {rest[0]} is tied"
+        case "plays":
+            return f"player {rest[0]} plays"
+        case "restore":
+            return "everything back as before the stroke"
         case "seat":
             return f"player {rest[0]} is {'out' if rest[1] else 'back in'}"
         case _:
             return str(tag)
+
+
+def _written(op: str, name: str, player: int | None, value: Any) -> str:
+    whose = "" if player is None else f" of player {player}"
+    told = {True: "yes", False: "no"}.get(value, value) if isinstance(value, bool) else value
+    if op == "add":
+        return f"add {told} to {name}{whose}"
+    return f"{op} {name}{whose}" + ("" if value is None else f" to {told}")

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
     from rulelang.code import Code, Run
+    from rulelang.telling import Outline
     from rulelang.vocabulary import Value, Vocabulary
     from rulelang.watch import Watch
 
@@ -83,7 +84,7 @@ class CompiledRule:
     """A rule's closure and what it overrides, by numbers of rules.
 
     `run` returns the decisions of a rule that fired, None for a silent one. `late`: a rule of
-    the fouls that speaks of fouls. `conditions` are those of its outermost `if`. `needs` has a
+    the fouls that speaks of fouls. `outline` is what an explanation walks again. `needs` has a
     bit for each verb of which one must have happened for it to fire (0: any shot may do),
     `phases` are the phases in which it can fire (None: all).
     """
@@ -94,7 +95,7 @@ class CompiledRule:
     run: Callable[[Watch], list[tuple[Any, ...]] | None]
     late: bool
     overrides: tuple[int, ...]
-    conditions: tuple[Code, ...]
+    outline: Outline
     needs: int = 0
     phases: frozenset[str] | None = None
 

@@ -73,6 +73,8 @@ def fact(x: Expressions, name: str, at: s.Span) -> Code:
         return masks.get(str(found), 0) if kind == k.BALLS else found
 
     made = Code(kind, read, domain=f"fact {name}")
+    if name in scope.timers:
+        made.text = f"{name} expired"
     if asked is not None:
         made = joined(made, asked)
         made.staged = True

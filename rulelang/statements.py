@@ -17,9 +17,11 @@ from rulelang.closures import singles
 from rulelang.code import Code, Mistake
 from rulelang.constructs import expressions_in
 from rulelang.program import Consequence
+from rulelang.telling import Branches, Deed, Loop
 
 if TYPE_CHECKING:
     from rulelang.scope import Scope
+    from rulelang.telling import Outline
     from rulelang.watch import Watch
 
 Run = Callable[["Watch", list[Decision]], bool]
@@ -62,7 +64,7 @@ class Statements:
         self.section = section
         self.rule = rule
         self.consequences = consequences
-        self.conditions: list[Code] = []
+        self.outline: list[Branches | Loop | Deed] = []
         self.codes: list[Code] = []
         self.late = False
         self.said: list[str] = []
@@ -108,8 +110,17 @@ class Statements:
             self._belongs(node)
         if isinstance(node, s.OfferChoices):
             return self._offer(node)
+        known = len(self.codes)
         act = ACTIONS[type(node)](self, node)
+        self.outline.append(Deed(_amount(node, self.codes[known:])))
         return _acting(act)
+
+    def _under(self, nodes: tuple[s.Statement, ...]) -> tuple[Run, Outline]:
+        """Compile a body, with its outline."""
+        around, self.outline = self.outline, []
+        run = self.body(nodes)
+        inner, self.outline = tuple(self.outline), around
+        return run, inner
 
     def _belongs(self, node: s.Statement) -> None:
         home = SECTION_OF.get(type(node), "")
@@ -139,6 +150,7 @@ class Statements:
 
     def _if(self, node: s.If) -> Run:
         pairs: list[tuple[Any, Run]] = []
+        cases: list[tuple[Code, Outline]] = []
         outermost = self.depth <= 1 and not self.free
         for condition, body in node.branches:
             try:
@@ -148,11 +160,12 @@ class Statements:
                 self.body(body)
                 continue
             self.codes.append(made)
-            if outermost:
-                self.conditions.append(made)
             self.late = self.late or made.fouls
-            pairs.append((made.truth, self.body(body)))
-        otherwise = self._otherwise(node.otherwise) if node.otherwise else None
+            then, inner = self._under(body)
+            pairs.append((made.truth, then))
+            cases.append((made, inner))
+        otherwise, left = self._otherwise(node.otherwise) if node.otherwise else (None, None)
+        self.outline.append(Branches(tuple(cases), left))
         if len(pairs) == 1 and len(node.branches) == 1 and otherwise is None:
             test, then = pairs[0]
             if outermost:
@@ -167,13 +180,15 @@ class Statements:
 
         return run
 
-    def _otherwise(self, body: tuple[s.Statement, ...]) -> Run:
-        run, probe = self.body(body), self.scope.probe
+    def _otherwise(self, body: tuple[s.Statement, ...]) -> tuple[Run, Outline]:
+        probe = self.scope.probe
+        run, inner = self._under(body)
         if probe is None:
-            return run
+            return run, inner
         at = body[0].at
         inert = all(isinstance(one, s.NothingHappens) for one in body)
-        return probe.body("otherwise", self.x.source, at, self._text(body), run, inert=inert)
+        text = self._text(body)
+        return probe.body("otherwise", self.x.source, at, text, run, inert=inert), inner
 
     def _text(self, body: tuple[s.Statement, ...]) -> str:
         """Return what is written in a body, on one line."""
@@ -181,7 +196,8 @@ class Statements:
 
     def _for_each(self, node: s.ForEach) -> Run:
         if node.over is None:
-            body = self.body(node.body)
+            body, inner = self._under(node.body)
+            self.outline.append(Loop(None, inner))
 
             def players(c: Watch, out: list[Decision]) -> bool:
                 did = False
@@ -192,8 +208,10 @@ class Statements:
                 return did
 
             return players
-        balls = self.value(node.over, k.BALLS).run
-        body = self.body(node.body)
+        over = self.value(node.over, k.BALLS)
+        balls = over.run
+        body, inner = self._under(node.body)
+        self.outline.append(Loop(over, inner))
 
         def run(c: Watch, out: list[Decision]) -> bool:
             did = False
@@ -216,6 +234,9 @@ class Statements:
                 made = self.x.truth(choice.condition)
                 self.codes.append(made)
                 test = made.truth
+                self.outline.append(Branches(((made, (Deed(),)),), None))
+            else:
+                self.outline.append(Deed())
             if self.scope.probe is not None:
                 test = self.scope.probe.offer(self.x.source, choice, test)
             choices.append((test, choice.option, self._consequence(choice, node.who)))
@@ -246,6 +267,15 @@ class Statements:
         key = len(self.consequences)
         self.consequences.append(Consequence(key, choice.option, words, self.rule, run, text))
         return key
+
+
+def _amount(node: s.Statement, read: list[Code]) -> Code | None:
+    """Return the number or set without which an action does nothing; None where it always does."""
+    counted = isinstance(node, s.Award) or (isinstance(node, s.Write) and node.verb == "add")
+    if not counted and not isinstance(node, s.SpotBalls | s.RemoveBalls | s.SetUpPins):
+        return None
+    amount = read[-1] if isinstance(node, s.Write) else read[0]
+    return None if amount.constant else amount
 
 
 def _acting(act: Callable[[Watch], Decision | None]) -> Run:

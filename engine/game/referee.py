@@ -47,7 +47,10 @@ def judge_shot(
     chosen = take_choice(variant, situation, shot, explain=explain)
     if shot.is_only_choice or chosen.after.over:
         return chosen
-    return _judge_stroke(variant, chosen.after, shot, explain=explain)
+    verdict = _judge_stroke(variant, chosen.after, shot, explain=explain)
+    if not chosen.explanation:
+        return verdict
+    return replace(verdict, explanation=(*chosen.explanation, *verdict.explanation))
 
 
 def offer_taken(situation: Situation, choice: str | None) -> Offer | None:

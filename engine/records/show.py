@@ -87,11 +87,18 @@ def _rules(rules: Iterable[RuleOutcome], *, everything: bool) -> Iterator[str]:
         if rule.outcome == "silent" and not everything:
             continue
         cites = f" [{', '.join(rule.cites)}]" if rule.cites else ""
-        seen = f" (events {', '.join(str(at + 1) for at in rule.events)})" if rule.events else ""
+        seen = _seen(rule.events)
         yield f"  {rule.outcome}: {rule.section}: {rule.rule}{cites}"
         if rule.because:
             yield f"      because {rule.because}{seen}"
         yield from (f"      -> {said}" for said in rule.said)
+
+
+def _seen(events: Sequence[int]) -> str:
+    if not events:
+        return ""
+    word = "event" if len(events) == 1 else "events"
+    return f" ({word} {', '.join(str(at + 1) for at in events)})"
 
 
 def explain_json(outcome: Outcome) -> dict[str, object]:
