@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rulelang.diagnostics import ScriptError
 from rulelang.parse import parse
+from rulelang.syntax.plain import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -81,19 +82,6 @@ def _tree(source: str, file: str, cache: Path | None) -> str:
     if mistakes:
         raise ScriptError(tuple(mistakes))
     return plain((script.declarations, script.rules))
-
-
-def plain(node: Any) -> str:
-    """Return a tree as text without its places: two trees that mean the same are equal."""
-    if isinstance(node, tuple):
-        return "(" + ",".join(plain(part) for part in node) + ")"
-    names = getattr(type(node), "__dataclass_fields__", None)
-    if names is None:
-        return repr(node)
-    if set(names) == {"line", "column", "start", "end"}:
-        return ""
-    parts = (getattr(node, name) for name in names if name != "at")
-    return type(node).__name__ + plain(tuple(parts))
 
 
 def _formatted(source: str) -> str:

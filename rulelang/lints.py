@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from rulelang import syntax as s
 from rulelang.closures import singles
 from rulelang.code import Mistake
-from rulelang.formatting import plain
+from rulelang.syntax.plain import plain
 from rulelang.values import value
 
 if TYPE_CHECKING:
