@@ -256,7 +256,8 @@ class _Work:
         end = rule.body[-1].at.end
         text = script.source[rule.at.start : end].strip()
         name = rule.name or " ".join(text.split())[:60]
-        info = RuleInfo(name, section, rule.cites, text, script.file, rule.at.line)
+        cites = cited(rule.cites, book_of(script), book_of(self.scripts[-1]))
+        info = RuleInfo(name, section, cites, text, script.file, rule.at.line)
         stage = STAGE.get(section, CONSEQUENCE)
         for made in statements.codes:
             if made.since > stage:
@@ -304,7 +305,8 @@ class _Work:
                 )
         return Program(
             title=declarations.header("game"),
-            rulebook=declarations.header("cites"),
+            rulebook=book_of(self.scripts[-1]) or declarations.header("cites"),
+            books=tuple(dict.fromkeys(filter(None, map(book_of, reversed(self.scripts))))),
             phases=scope.phases,
             tracked=dict(scope.tracks),
             facts=dict(scope.facts),
@@ -329,6 +331,20 @@ class _Work:
             timers=dict(scope.timers),
             mates=scope.mates,
         )
+
+
+def book_of(script: s.Script) -> str:
+    """Return the rulebook whose sections the rules of a script cite, "" where it names none."""
+    headers = [one for one in script.declarations if isinstance(one, s.Header)]
+    named = [one.text for one in headers if one.word in ("cites", "book")]
+    return named[-1] if named else ""
+
+
+def cited(sections: tuple[str, ...], book: str, main: str) -> tuple[str, ...]:
+    """Return sections with the name of their book, where it is not the game's own."""
+    if not book or book == main:
+        return sections
+    return tuple(f"{book} {section}" for section in sections)
 
 
 def with_overrides(rules: list[Ruled]) -> list[CompiledRule]:

@@ -62,7 +62,10 @@ class FactDecl:
 
 @value
 class RuleInfo:
-    """A rule as the script tells it; `text` is its source."""
+    """A rule as the script tells it; `text` is its source.
+
+    `cites` are sections of the game's rulebook; one of another begins with the name of its book.
+    """
 
     name: str
     section: str
@@ -149,6 +152,8 @@ class Program:
     """Sets of balls in the order of their spotting; where there are any, `spotting` is void."""
     on: Run | None = field(repr=False, default=None)
     timers: Mapping[str, Timer] = field(default_factory=dict)
+    books: tuple[str, ...] = ()
+    """The rulebooks that the script and those it uses name, the game's own first."""
     mates: int = 0
     """How many players a side has, 0 where each plays for himself."""
 

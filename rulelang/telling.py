@@ -24,6 +24,7 @@ DEEPEST = 3
 """So many defines are opened up inside each other."""
 WIDEST = 8
 """So many balls are named of a set; of the rest it is told how many they are."""
+ASKED = "in phase"
 KINDS = 3
 """So many reasons are told of a loop; of the rest, for how many they held."""
 
@@ -59,7 +60,7 @@ def in_phases(phases: tuple[str, ...], outline: Outline) -> Outline:
     if not phases:
         return outline
     phase = Code(k.NAME, lambda c: c.phase, text="phase")
-    asked = Code(k.FLAG, lambda c: c.phase in phases, shown=phase)
+    asked = Code(k.FLAG, lambda c: c.phase in phases, shown=phase, word=ASKED)
     asked.truth, asked.text = asked.run, f"in phase {', '.join(phases)}"
     return (Branches(((asked, outline),), None),)
 
@@ -178,6 +179,8 @@ def told(code: Code, c: Watch, *, held: bool, depth: int = 0) -> str:
     if code.word == "define" and code.shown is not None:
         inside = _inside(code, c, held=held, depth=depth)
         return f"{code.text}: {yes}" + (f" ({inside})" if inside else "")
+    if code.word == ASKED and held:
+        return code.text
     if code.word in ("shot", "fouls"):
         return f"{code.text}: {yes}" + (f" ({_fouls(c)})" if c.fouls else "")
     values = ", ".join(valued(part, c) for part in _shown(code))

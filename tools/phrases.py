@@ -43,6 +43,9 @@ PHRASES: tuple[Phrase, ...] = (
         ("language N", "the version of the language", "language 1"),
         ('game "TITLE" [cites "BOOK"]', "the title, and the rulebook that rules cite",
          'game "Eight-ball" cites "WPA 2025"\nrule "A" [3]: if foot left floor: foul foot-up'),
+        ('cites "BOOK"', "in a shared script, whose sections its rules cite: in a game that cites"
+         " another book they are told with this one's name",
+         'cites "WPA 2025"\nrule "A" [3]: if foot left floor: foul foot-up'),
         ('uses "NAME"', "takes the declarations and rules of another script, from `rules/` or"
          " from beside this one; a rule of it may be overridden by name, a name of it not be given"
          " again", 'uses "shared"'),

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from engine.table.furniture import BallId, Point
     from engine.variant.variant import Variant
     from rulelang.facts import Call
+    from rulelang.program import Program
 
 
 def save_shot_record(path: Path, match: Match, index: int = -1, title: str = "") -> None:
@@ -56,7 +57,14 @@ def cites_of(variant: Variant, verdict: Verdict) -> list[str]:
     fired = (rule.cites for rule in verdict.explanation if rule.outcome == "fired")
     fouls = (foul.cites for foul in verdict.fouls)
     sections = dict.fromkeys(section for cites in (*fouls, *fired) for section in cites)
-    return [f"{variant.program.rulebook} {section}".strip() for section in sections]
+    return [with_book(variant.program, section) for section in sections]
+
+
+def with_book(program: Program, section: str) -> str:
+    """Return a section with the name of the rulebook that it stands in."""
+    if any(section.startswith(f"{book} ") for book in program.books):
+        return section
+    return f"{program.rulebook} {section}".strip()
 
 
 def _expect(played: Played) -> dict[str, object]:

@@ -82,6 +82,7 @@ def _zones(n: Any) -> list[s.Declaration]:
 _DECLARATIONS: dict[str, Callable[[Any], list[s.Declaration]]] = {
     "language": _header,
     "game": _header,
+    "book": _header,
     "uses": _header,
     "order": lambda n: [s.Header(span(n), "spotting", text(n.children[0]))],
     "order_of_sets": lambda n: [s.SpottingOrder(span(n), tuple(map(expression, n.children)))],

@@ -92,7 +92,10 @@ class Define:
 
 @value
 class Header:
-    """`language`, `game`, `cites`, `uses`, `spotting`, `settled` or `side` with its text."""
+    """A line of one word with its text.
+
+    That is `language`, `game`, `cites`, `book`, `uses`, `spotting`, `settled` or `side`.
+    """
 
     at: Span
     word: str

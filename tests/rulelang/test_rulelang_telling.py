@@ -109,6 +109,7 @@ def test_otherwise_tells_what_was_not_the_case():
 def test_a_phase_of_the_heading_is_told():
     script = 'phases break, open\nturn in phase open:\n    rule "A": turn continues\n'
     assert because(script, "", phase="break") == "in phase open: phase was break"
+    assert because(script, "", phase="open") == "in phase open"
 
 
 def test_an_award_of_nothing_and_a_spot_of_no_ball_are_not_fired():
@@ -185,3 +186,29 @@ def test_telling_changes_nothing_and_may_be_asked_again():
     assert made.points == (2, 0)
     assert tuple(made.explanation) == first
     assert first[0].because == "for 1, 2"
+
+
+def test_a_shared_script_says_which_book_its_sections_belong_to():
+    def library(name):
+        return SHARED[name], f"{name}.rules"
+
+    script = 'game "G" cites "House"\nuses "fouls"\nrule "B" [2]: if 8-ball pocketed: foul other\n'
+    program = compile_script(script, "g.rules", POOL, library)
+    assert {rule.name: rule.cites for rule in program.rules} == {
+        "A": ("Pool 3.1", "Pool 2.2"),
+        "C": ("Here 7",),
+        "B": ("2",),
+    }
+    assert (program.rulebook, program.books) == ("House", ("House", "Pool"))
+    same = compile_script(script.replace("House", "Pool"), "g.rules", POOL, library)
+    assert {rule.name: rule.cites for rule in same.rules}["A"] == ("3.1", "2.2")
+    shot = Shot("cue", (parse_event("cue pocketed foot-left"),))
+    made = judge(program, before_of(program), shot)
+    assert made.fouls[0].cites == ("Pool 3.1", "Pool 2.2")
+    assert made.explanation[1].cites == ("Pool 3.1", "Pool 2.2")
+
+
+SHARED = {
+    "fouls": 'cites "Pool"\nuses "more"\nrule "A" [3.1, 2.2]: if cue ball pocketed: foul scratch\n',
+    "more": 'rule "C" [Here 7]: if 9-ball pocketed: foul bad-third\n',
+}
