@@ -39,9 +39,11 @@ def main() -> None:
 @main.command()
 @click.argument("variant", required=False)
 @click.option("--players", type=int, metavar="N", help="How many play.")
+@click.option("--name", "names", multiple=True, metavar="NAME", help="Of each player in turn.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A house rule.")
 @click.option("--renderer", type=click.Choice(RENDERERS), help="What to begin with (keys 1 2 3).")
 @click.option("--size", metavar="WIDTHxHEIGHT", help="Size of the window, such as 1280x720.")
+@click.option("--full-screen", is_flag=True, default=None, help="Fill the screen (key F11).")
 @click.option("--rate", type=click.IntRange(1, 1000), metavar="N", help="Frames a second.")
 @click.option("--seed", type=int, metavar="N", help="Where all chance in the match comes from.")
 @click.option(
@@ -55,7 +57,7 @@ def play(variant: str | None, **options: object) -> None:
     """Play a game in a window, or choose one on the start screen. F1 shows the keys."""
     from engine.app.play import play as open_window  # noqa: PLC0415
 
-    needs = ("players", "seed", "journal", "resume")
+    needs = ("players", "names", "seed", "journal", "resume")
     if variant is None and (options["settings"] or any(options[name] for name in needs)):
         raise click.UsageError("which game is that for? `python -m engine list` shows them all")
     settings = dict(_pair(text) for text in options.pop("settings"))  # type: ignore[attr-defined]

@@ -69,7 +69,7 @@ def arranged_match(match: Match, situation: Situation) -> Match:
     """Return the match that begins with an arranged situation."""
     bare = replace(situation, offers=(), judged=None, winner=None, match_over=False, shots=0)
     begun = announce(match.variant, on_the_bed(match.variant, replace(bare, seed=match.seed + 1)))
-    return Match(match.variant, match.seed + 1, match.settings, begun)
+    return Match(match.variant, match.seed + 1, match.settings, begun, names=match.names)
 
 
 def save_layout(path: Path, variant: Variant, situation: Situation) -> None:

@@ -13,6 +13,7 @@ from math import ceil
 from typing import TYPE_CHECKING
 
 from engine.app.session import Mode
+from engine.app.units import Units
 from engine.app.words import (
     ball_name,
     named_balls,
@@ -25,7 +26,7 @@ from engine.app.words import (
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
-    from collections.abc import Container
+    from collections.abc import Container, Sequence
 
     from engine.app.session import Session
     from engine.game.situation import Situation
@@ -76,7 +77,7 @@ class Board:
     time: tuple[TimeLine, ...] = ()
 
 
-def board_of(session: Session) -> Board:
+def board_of(session: Session, units: Units = Units.METRIC) -> Board:
     """Return all that the display says about a session."""
     now = session.shown
     variant = session.variant
@@ -92,7 +93,7 @@ def board_of(session: Session) -> Board:
         players=_player_lines(session, now),
         on=marked,
         on_words=named_balls(variant, marked, now.on_table - {cue}),
-        ask=asked(session),
+        ask=asked(session, units),
         note=session.note,
         call=call_words(session.call) if before else "",
         own_time=time_lines(session, ("shot", "turn")) if before else (),
@@ -120,7 +121,10 @@ def time_words(seconds: float) -> str:
 
 def _player_lines(session: Session, now: Situation) -> tuple[PlayerLine, ...]:
     """Return the players; with the games that each has won, once one is over in this match."""
-    lines = [player_line(session.variant, now, player) for player in range(1, now.players + 1)]
+    lines = [
+        player_line(session.variant, now, player, session.names)
+        for player in range(1, now.players + 1)
+    ]
     ended = [one.verdict.after for one in session.match.played if one.verdict.after.over]
     if not (ended and now.games):
         return tuple(lines)
@@ -131,7 +135,9 @@ def _player_lines(session: Session, now: Situation) -> tuple[PlayerLine, ...]:
     )
 
 
-def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLine:
+def player_line(
+    variant: Variant, situation: Situation, player: int, names: Sequence[str] = ()
+) -> PlayerLine:
     """Return a player's name, score and what the game tracks of him."""
     notes = []
     if len(variant.cue_balls) > 1:
@@ -144,7 +150,7 @@ def player_line(variant: Variant, situation: Situation, player: int) -> PlayerLi
     if player in situation.eliminated:
         notes.append("out")
     return PlayerLine(
-        player_name(player),
+        player_name(player, names),
         str(situation.scores[player - 1]) if counts_points(variant) else "",
         player == situation.shooter and not situation.over,
         tuple(notes),
@@ -170,16 +176,17 @@ def counts_points(variant: Variant) -> bool:
     return any(re.search(r"\b(award|deduct)\b", rule.text) for rule in variant.program.rules)
 
 
-def asked(session: Session) -> str:
-    """Return what the player is asked to do now."""
-    who = player_name(session.ahead.shooter)
+def asked(session: Session, units: Units = Units.METRIC) -> str:
+    """Return what the player is asked to do now, places in his units."""
+    who = player_name(session.ahead.shooter, session.names)
     match session.mode:
         case Mode.CHOOSING:
             return f"{who}: choose what happens next"
         case Mode.PLACING:
             zone = zone_name(session.ahead.in_hand or "")
             ball = ball_name(session.variant, session.cue_ball)
-            return f"{who}: place the {ball}, in hand ({zone})"
+            at = f", at {units.place(session.place)}" if session.place else ""
+            return f"{who}: place the {ball}, in hand ({zone}){at}"
         case Mode.CALLING:
             return f"{who}: call {session.wanted.in_words}"
         case Mode.AIMING:
@@ -187,12 +194,14 @@ def asked(session: Session) -> str:
         case Mode.STRIKING | Mode.ROLLING:
             return "The last shot again" if session.back_to else "The balls are rolling"
         case Mode.VERDICT:
-            return next_words(session.variant, session.match.situation)
+            return next_words(session.variant, session.match.situation, session.names)
         case Mode.ARRANGING:
             held = session.held
-            return f"Arrange the balls: {ball_name(session.variant, held) if held else 'none'}"
+            name = ball_name(session.variant, held) if held else "none"
+            place = session.ahead.rest.positions.get(held) if held else None
+            return f"Arrange the balls: {name}" + (f" at {units.place(place)}" if place else "")
         case Mode.OVER:
-            return result_words(session.match.situation)
+            return result_words(session.match.situation, session.names)
 
 
 def call_words(call: Call) -> str:

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from engine.app.pen import BAD, CHALK, EDGE, FAINT, GOLD, GOOD, TEXT
 from engine.app.prompts import buttons_of, hint_of
 from engine.app.session import BEFORE_STROKE
 from engine.app.stroke import FASTEST, STEEPEST
+from engine.app.theme import BAD, BUTTON, CHALK, EDGE, FAINT, GOLD, GOOD, PICKED, TEXT
+from engine.app.units import Units
 
 if TYPE_CHECKING:
     from engine.app.board import Board
@@ -27,12 +28,17 @@ GAUGES = 330
 
 
 def draw_bottom(
-    pen: Pen, session: Session, board: Board, box: Box, keymap: Keymap
+    pen: Pen,
+    session: Session,
+    board: Board,
+    box: Box,
+    keymap: Keymap,
+    units: Units = Units.METRIC,
 ) -> dict[str, Box]:
     """Draw the bar in its box; return what can be clicked, by name."""
     left, top, width, _ = box
     pen.panel(box, 255, None)
-    pygame.draw.line(pen.surface, EDGE, (left, top), (left + width, top))
+    pen.rule((left, top), (left + width, top))
     edge, room = pen.px(14), width - pen.px(GAUGES + 30)
     pen.write(board.ask, (edge, top + pen.px(8)), TEXT, 19, room=room)
     said = board.note or (f"called: {board.call}" if board.call else "")
@@ -44,7 +50,7 @@ def draw_bottom(
         pen.write(hint_of(session), (edge, top + pen.px(36)), FAINT, 14, room=room)
     hot = _draw_buttons(pen, buttons_of(session, keymap), (edge, top + pen.px(71)), room)
     if session.mode in BEFORE_STROKE:
-        hot |= _draw_gauges(pen, session, (width - pen.px(GAUGES), top + pen.px(4)))
+        hot |= _draw_gauges(pen, session, (width - pen.px(GAUGES), top + pen.px(4)), units)
     return hot
 
 
@@ -61,9 +67,8 @@ def _draw_buttons(
         if x + wide > at[0] + room:
             break
         box = (x, y, wide, high)
-        fill, edge = ((66, 58, 30), GOLD) if button.is_main else ((36, 40, 48), EDGE)
-        pygame.draw.rect(pen.surface, fill, box, border_radius=4)
-        pygame.draw.rect(pen.surface, edge, box, 1, border_radius=4)
+        fill, edge = (PICKED, GOLD) if button.is_main else (BUTTON, EDGE)
+        pen.card(box, fill, edge)
         pen.write(button.text, (x + gap, y + pen.px(4)), TEXT, 15)
         pen.write(button.key, (x + 2 * gap + text, y + pen.px(6)), FAINT, 12)
         hot[f"do:{button.action}"] = box
@@ -71,7 +76,9 @@ def _draw_buttons(
     return hot
 
 
-def _draw_gauges(pen: Pen, session: Session, corner: tuple[int, int]) -> dict[str, Box]:
+def _draw_gauges(
+    pen: Pen, session: Session, corner: tuple[int, int], units: Units
+) -> dict[str, Box]:
     """Draw power, elevation and tip; return their boxes."""
     stroke = session.stroke
     x, top = corner
@@ -79,7 +86,7 @@ def _draw_gauges(pen: Pen, session: Session, corner: tuple[int, int]) -> dict[st
     power = (x, top + pen.px(28), wide, high)
     share = stroke.speed / FASTEST
     pen.write("power", (x, top + pen.px(8)), FAINT, 14)
-    speed = f"{stroke.speed:.2f} m/s"
+    speed = units.speed(stroke.speed)
     pen.write(speed, (x + wide, top + pen.px(8)), TEXT, 14, "right")
     pen.bar(power, share, _heat(share))
     raised = (x, top + pen.px(68), wide, high)

@@ -24,6 +24,8 @@ from engine.game.shot import NO_CALL, Shot
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
     from engine.table.furniture import BallId
@@ -53,15 +55,19 @@ def _with_ball(option: str, ball: str | None) -> Shot:
 
 
 def choice_words(
-    variant: Variant, situation: Situation, option: str, ball: str | None = None
+    variant: Variant,
+    situation: Situation,
+    option: str,
+    ball: str | None = None,
+    names: Sequence[str] = (),
 ) -> str:
     """Return what follows when an option is taken; empty where the rules cannot tell."""
     try:
         chosen = take_choice(variant, situation, _with_ball(option, ball), explain=False)
         after = chosen.after
         if after.over:
-            return capital(result_words(after))
-        said = [_who_plays(variant, after), *_table_words(variant, situation, chosen)]
+            return capital(result_words(after, names))
+        said = [_who_plays(variant, after, names), *_table_words(variant, situation, chosen)]
         now, then = look_ahead(variant, situation).on, look_ahead(variant, after).on
     except ScriptTrouble:
         return ""
@@ -72,8 +78,8 @@ def choice_words(
     return capital("; ".join(said))
 
 
-def _who_plays(variant: Variant, after: Situation) -> str:
-    who = player_name(after.shooter)
+def _who_plays(variant: Variant, after: Situation, names: Sequence[str]) -> str:
+    who = player_name(after.shooter, names)
     if after.in_hand is None:
         return f"{who} plays from where the balls lie"
     ball = ball_name(variant, cue_ball_of(variant, after.shooter))

@@ -11,9 +11,23 @@ from typing import TYPE_CHECKING
 import pygame
 
 from engine.app.choices import choice_words, option_name
-from engine.app.pen import BAD, CHALK, EDGE, FAINT, GOLD, TEXT, TONES
+from engine.app.labels import labels_of
+from engine.app.pen import TONES
 from engine.app.session import SHOWING, Mode
 from engine.app.telling import verdict_lines
+from engine.app.theme import (
+    BAD,
+    BUTTON,
+    CHALK,
+    EDGE,
+    FAINT,
+    GOLD,
+    PANEL,
+    PICKED,
+    TEXT,
+    Colour,
+    contrast,
+)
 from engine.app.words import player_name
 
 if TYPE_CHECKING:
@@ -50,17 +64,17 @@ class Column:
     def rule(self) -> None:
         """Draw a line across."""
         y = self.y + self.pen.px(8)
-        pygame.draw.line(self.pen.surface, EDGE, (self.x, y), (self.x + self.room, y))
+        self.pen.rule((self.x, y), (self.x + self.room, y))
         self.y += self.pen.px(20)
 
 
 def draw_column(
-    pen: Pen, session: Session, board: Board, box: Box, keymap: Keymap
+    pen: Pen, session: Session, board: Board, box: Box, keymap: Keymap, *, letters: bool = False
 ) -> dict[str, Box]:
     """Draw the column in its box; return what can be clicked, by name."""
     left, top, wide, high = box
     pen.panel(box, 255, None)
-    pygame.draw.line(pen.surface, EDGE, (left, top), (left, top + high))
+    pen.rule((left, top), (left, top + high))
     edge = pen.px(14)
     column = Column(pen, left + edge, top + pen.px(12), wide - 2 * edge, top + high)
     if session.trouble:
@@ -68,13 +82,13 @@ def draw_column(
     if session.mode is Mode.CHOOSING:
         _draw_choices(column, session)
     if board.on_words:
-        _draw_on(column, session, board)
+        _draw_on(column, session, board, letters=letters)
     played = session.match.played
     if session.mode in SHOWING and session.back_to is None:
         played = played[:-1]
     if played:
-        lines = verdict_lines(session.variant, played[-1])
-        who = player_name(played[-1].before.shooter)
+        lines = verdict_lines(session.variant, played[-1], session.names)
+        who = player_name(played[-1].before.shooter, session.names)
         fresh = session.mode in (Mode.VERDICT, Mode.OVER)
         title = f"Shot {len(played)}, {who}"
         _draw_told(column, title, lines, session.variant.rulebook, keymap, fresh=fresh)
@@ -96,17 +110,16 @@ def _draw_choices(column: Column, session: Session) -> None:
     pen = column.pen
     situation = session.match.situation
     inset, pad = pen.px(12), pen.px(5)
-    column.line(f"{player_name(session.shown.shooter)}, choose", TEXT, 17, 6)
+    column.line(f"{player_name(session.shown.shooter, session.names)}, choose", TEXT, 17, 6)
     for place, option in enumerate(situation.options):
         picked = place == session.picked
         named = session.call.ball if picked else None
-        words = choice_words(session.variant, situation, option, named)
+        words = choice_words(session.variant, situation, option, named, session.names)
         about = pen.wrap(words, column.room - 2 * inset, 13) if words else []
         high = pen.line(17) + len(about) * pen.line(13) + 2 * pad
         box = (column.x, column.y, column.room, high)
-        fill, edge = ((60, 54, 32), GOLD) if picked else ((36, 40, 48), EDGE)
-        pygame.draw.rect(pen.surface, fill, box, border_radius=4)
-        pygame.draw.rect(pen.surface, edge, box, 1, border_radius=4)
+        fill, edge = (PICKED, GOLD) if picked else (BUTTON, EDGE)
+        pen.card(box, fill, edge)
         y = column.y + pad
         name = f"{place + 1}   {option_name(option)}"
         pen.write(name, (column.x + inset, y), TEXT, 17, room=column.room - 2 * inset)
@@ -118,14 +131,18 @@ def _draw_choices(column: Column, session: Session) -> None:
     column.rule()
 
 
-def _draw_on(column: Column, session: Session, board: Board) -> None:
-    """Write what is on, with a dot for each look."""
+def _draw_on(column: Column, session: Session, board: Board, *, letters: bool) -> None:
+    """Write what is on, with a dot for each look, and with `letters` what stands on the ball."""
     pen = column.pen
     kinds = [kind for kind in session.variant.balls if kind.id in board.on]
-    dot = pen.px(7)
+    dot = pen.px(11 if letters else 7)
+    told = labels_of(session.variant) if letters else {}
     column.line("ball on", FAINT, 14, 4)
     for place, kind in enumerate(_distinct(kinds)[: column.room // (2 * dot + 4)]):
-        _draw_dot(pen, (column.x + dot + place * (2 * dot + 4), column.y + dot), dot, kind)
+        middle = column.x + dot + place * (2 * dot + 4), column.y + dot
+        _draw_dot(pen, middle, dot, kind)
+        if letters:
+            _draw_label(pen, middle, told[kind.id], kind.colour)
     column.y += 2 * dot + pen.px(7)
     column.text(board.on_words, GOLD, 17, 3)
     column.rule()
@@ -149,13 +166,13 @@ def _draw_told(
     if len(rows) > most > 2:
         rows = [*rows[: most - 2], (f"({keymap.shown('why')} tells all of it)", "faint"), rows[-1]]
     for text, tone in rows[:most]:
-        colour = TONES[tone] if fresh else _dimmed(TONES[tone])
+        colour = TONES[tone] if fresh else _dimmed(pen, TONES[tone])
         pen.write(text, (column.x, column.y), colour, sizes.get(tone, 16), room=column.room)
         column.y += row
     column.y += pen.px(6)
     for text in book:
         if column.y + pen.line(13) < column.end:
-            column.line(text, _dimmed(FAINT), 13)
+            column.line(text, _dimmed(pen, FAINT), 13)
 
 
 def _distinct(kinds: list[BallKind]) -> list[BallKind]:
@@ -173,9 +190,18 @@ def _draw_dot(pen: Pen, middle: tuple[int, int], radius: int, kind: BallKind) ->
         pygame.draw.rect(pen.surface, kind.colour, band, border_radius=2)
     else:
         pygame.draw.circle(pen.surface, kind.colour, middle, radius)
-    pygame.draw.circle(pen.surface, FAINT, middle, radius, 1)
+    pygame.draw.circle(pen.surface, pen.tint(FAINT), middle, radius, 1)
 
 
-def _dimmed(colour: tuple[int, int, int]) -> tuple[int, int, int]:
-    red, green, blue = (round(part * 0.72) for part in colour)
+def _draw_label(pen: Pen, middle: tuple[int, int], label: str, colour: Colour) -> None:
+    """Write a ball's label on its dot, in black or white."""
+    ink = max(((12, 12, 14), (250, 250, 248)), key=lambda one: contrast(one, colour))
+    size = 12 if len(label) < 3 else 9
+    pen.write(label, (middle[0], middle[1] - pen.line(size) // 2), ink, size, "middle")
+
+
+def _dimmed(pen: Pen, colour: tuple[int, int, int]) -> tuple[int, int, int]:
+    """Return a colour nearer to its ground."""
+    mixed = zip(pen.tint(colour), pen.tint(PANEL), strict=True)
+    red, green, blue = (round(0.75 * part + 0.25 * ground) for part, ground in mixed)
     return red, green, blue

@@ -18,6 +18,7 @@ from engine.app.lobby import change, choose, hear, pick
 from engine.app.lobby_screen import LobbyScreen
 from engine.app.pen import Pen
 from engine.app.screen import within
+from engine.app.settings import Settings
 from engine.variant.library import VariantError
 from engine.variant.load import load_variant
 
@@ -41,21 +42,20 @@ class Reception:
     window: Window
     lobby: Lobby
     startup: Startup
-    rate: int = 60
-    text: float = 1.0
+    settings: Settings = field(default_factory=Settings)
     hands: Input = field(default_factory=Input)
     screen: LobbyScreen = field(init=False)
     _cards: dict[str, Variant | str] = field(default_factory=dict)
     _since: float = field(default_factory=monotonic)
 
     def __post_init__(self) -> None:
-        self.screen = LobbyScreen(Pen(self.window.surface))
+        self.screen = LobbyScreen(Pen(self.window.surface, theme=self.settings.theme))
 
     def run(self, each: Callable[[Reception], None] | None = None) -> Lobby:
         """Return the start screen as it was left; `each` is called before every frame."""
         clock = pygame.time.Clock()
         while self.lobby.chosen is None and not self.lobby.left:
-            clock.tick(self.rate)
+            clock.tick(self.settings.rate)
             if each is not None:
                 each(self)
             self.frame(self.window.read())
@@ -68,6 +68,8 @@ class Reception:
         if any(isinstance(event, CloseAsked) for event in events):
             self.lobby = replace(self.lobby, left=True)
             return
+        if any(self.settings.keymap.has("full-screen", key) for key in self.hands.pressed):
+            self.window.toggle_full_screen()
         self.lobby = hear(self.lobby, self.hands)
         for event in events:
             if isinstance(event, ButtonPressed) and event.button == LEFT:
@@ -76,7 +78,7 @@ class Reception:
             self._since = monotonic()
         self._load()
         self.screen.pen.surface = self.window.surface
-        self.screen.pen.scale = scale_for(self.window.size, self.text)
+        self.screen.pen.scale = scale_for(self.window.size, self.settings.text)
         self.screen.draw(self.lobby, self.startup.saying)
         self.window.show()
 
@@ -92,6 +94,8 @@ class Reception:
             case "set":
                 row, _, sign = rest.rpartition(":")
                 return change(self.lobby, row, int(sign))
+            case "mark":
+                return replace(self.lobby, row=self.lobby.rows.index(rest))
             case "play":
                 return choose(self.lobby)
         return self.lobby

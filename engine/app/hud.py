@@ -10,14 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import pygame
-
 from engine.app.board import board_of
 from engine.app.bottom import draw_bottom
 from engine.app.column import draw_column
 from engine.app.keymap import Keymap
-from engine.app.pen import BAD, EDGE, FAINT, GOLD, TEXT
 from engine.app.session import Mode
+from engine.app.theme import BAD, FAINT, GOLD, PICKED, TEXT
+from engine.app.units import Units
 from engine.app.words import result_words
 
 if TYPE_CHECKING:
@@ -46,6 +45,8 @@ class Hud:
 
     pen: Pen
     keymap: Keymap = field(default_factory=Keymap)
+    units: Units = Units.METRIC
+    letters: bool = False
     hot: dict[str, Box] = field(default_factory=dict)
 
     def picture_box(self) -> Box:
@@ -61,14 +62,14 @@ class Hud:
         """Draw the whole display for a session; `status` is said in the upper right corner."""
         self.hot.clear()
         pen = self.pen
-        board = board_of(session)
+        board = board_of(session, self.units)
         width, height = pen.surface.get_size()
         _, top, left, tall = self.picture_box()
         self._top(board, status)
         below = (0, height - pen.px(BOTTOM), width, pen.px(BOTTOM))
-        self.hot |= draw_bottom(pen, session, board, below, self.keymap)
+        self.hot |= draw_bottom(pen, session, board, below, self.keymap, self.units)
         beside = (left, top, width - left, tall)
-        self.hot |= draw_column(pen, session, board, beside, self.keymap)
+        self.hot |= draw_column(pen, session, board, beside, self.keymap, letters=self.letters)
         if session.mode is Mode.OVER:
             self._banner(session)
 
@@ -76,7 +77,7 @@ class Hud:
         pen = self.pen
         width, height = pen.surface.get_width(), pen.px(TOP)
         pen.panel((0, 0, width, height), 255, None)
-        pygame.draw.line(pen.surface, EDGE, (0, height - 1), (width, height - 1))
+        pen.rule((0, height - 1), (width, height - 1))
         corner = f"{self.keymap.shown('help')} keys   {self.keymap.shown('menu')} menu"
         edge = pen.px(14)
         third = width // 5
@@ -112,8 +113,7 @@ class Hud:
             middle = x + room // 2
             if player.is_shooting:
                 box = (x + pen.px(6), pen.px(5), room - pen.px(12), pen.px(TOP - 11))
-                pygame.draw.rect(pen.surface, (48, 44, 30), box, border_radius=pen.px(5))
-                pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=pen.px(5))
+                pen.card(box, PICKED, GOLD, pen.px(5))
                 self._own_times(board.own_time, x + room - pen.px(14))
             colour = TEXT if player.is_shooting else FAINT
             name = pen.width(player.name, 16) + pen.px(12) + pen.width(player.score, 22)
@@ -127,7 +127,7 @@ class Hud:
         """Say over the picture who has won."""
         pen = self.pen
         left, top, width, _ = self.picture_box()
-        said = result_words(session.match.situation)
+        said = result_words(session.match.situation, session.names)
         wide = pen.width(said, 28) + pen.px(60)
         box = (left + (width - wide) // 2, top + pen.px(24), wide, pen.px(62))
         pen.panel(box, 225, GOLD)

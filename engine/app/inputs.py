@@ -34,6 +34,13 @@ class KeyReleased:
 
 
 @dataclass(frozen=True, slots=True)
+class Typed:
+    """Text was typed, as the keyboard's layout has it."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class MouseMoved:
     """The mouse is now at `place`."""
 
@@ -76,6 +83,7 @@ class CloseAsked:
 InputEvent = (
     KeyPressed
     | KeyReleased
+    | Typed
     | MouseMoved
     | ButtonPressed
     | ButtonReleased
@@ -93,13 +101,14 @@ class Input:
     buttons: set[int] = field(default_factory=set)
     mouse: Place = (0, 0)
     pressed: list[str] = field(default_factory=list)
+    typed: str = ""
     wheel: int = 0
     moved: Place = (0, 0)
     """How far the mouse went since the frame before."""
 
     def feed(self, events: Iterable[InputEvent]) -> None:
         """Take in one frame's events, in their order."""
-        self.pressed, self.wheel, before = [], 0, self.mouse
+        self.pressed, self.typed, self.wheel, before = [], "", 0, self.mouse
         for event in events:
             self._take(event)
         self.moved = (self.mouse[0] - before[0], self.mouse[1] - before[1])
@@ -111,6 +120,8 @@ class Input:
                 self.pressed.append(key)
             case KeyReleased(key):
                 self.held.discard(key)
+            case Typed(text):
+                self.typed += text
             case MouseMoved(place):
                 self.mouse = place
             case ButtonPressed(button, place):

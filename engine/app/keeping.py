@@ -11,10 +11,11 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from engine.app.arranging import load_layout, save_layout
-from engine.records.journal import Journal, entries_of
+from engine.records.journal import NOTHING, Journal, entries_of
 from engine.records.write import save_shot_record
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from engine.app.session import Session
@@ -40,8 +41,8 @@ class Keeper:
         """Go on with a journal that holds this match already."""
         self._journal, self._known = Journal.reopen(self.path), match
 
-    def follow(self, match: Match) -> None:
-        """Write down what changed since the match was seen last."""
+    def follow(self, match: Match, left: Mapping[str, float] = NOTHING) -> None:
+        """Write down what changed since the match was seen last, and the time `left` (s) now."""
         known, self._known = self._known, match
         if self._journal is None or known is None:
             return
@@ -49,11 +50,22 @@ class Keeper:
         if match.seed != known.seed or shared is None:
             self.path = _later(self.path)
             self._journal = Journal.begin(self.path, match)
+            self._journal.note_time(left)
             return
         for _ in entries_of(known)[shared:]:
             self._journal.undo()
-        for entry in entries_of(match)[shared:]:
+        fresh = entries_of(match)[shared:]
+        for entry in fresh[:-1]:
             self._journal.append(entry)
+        if fresh:
+            self._journal.append(fresh[-1], left)
+        else:
+            self._journal.note_time(left)
+
+    def leave(self, left: Mapping[str, float]) -> None:
+        """Note the time `left` (s) when the player goes."""
+        if self._journal is not None:
+            self._journal.note_time(left)
 
     def save_shot(self, match: Match) -> str:
         """Save the last shot as a record; return what to tell the player."""

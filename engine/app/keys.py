@@ -145,6 +145,7 @@ BINDINGS: tuple[Binding, ...] = (
     ),
     Binding("sound", ("m",), "M", "sound on or off", VIEW),
     Binding("full-screen", ("f11",), "F11", "fill the screen, or no longer", VIEW),
+    Binding("letters", ("f4",), "F4", "numbers and letters on every ball, or no longer", VIEW),
     Binding("text", ("f3",), "F3", "size of the text", VIEW),
     Binding("arrange", ("i",), "I", "put balls anywhere; once more to play from there", PRACTICE),
     Binding("take-off", ("delete",), "Delete", "take the ball off, or bring it back", PRACTICE),

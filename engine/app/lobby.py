@@ -18,15 +18,19 @@ if TYPE_CHECKING:
 
 LETTERS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789 -")
 """What may be typed to find a game."""
+NAME = "name "
+"""How the row of a player's name begins; his number follows."""
+LONGEST = 20
+"""Letters of a name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A game of the list; `kept` is the journal of a match of it to go on with."""
+    """A game of the list; `kept` are journals of matches of it to go on with, newest first."""
 
     name: str
     title: str
-    kept: Path | None = None
+    kept: tuple[Path, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +41,7 @@ class Chosen:
     players: int | None
     settings: dict[str, Value]
     kept: Path | None
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +49,8 @@ class Lobby:
     """The start screen.
 
     `typed` narrows the list, `picked` is a place in what is left. `row` is what Left and Right
-    change: 0 the list itself, then the players, the settings, and the match that was kept.
+    change: 0 the list itself, then the players, their names, the settings, and the match that is
+    gone on with: 0 is a new one, from 1 on those that were kept. A name is typed.
     `card` is the picked game as loaded, None where it is not loaded yet or cannot be;
     `trouble` says why.
     """
@@ -55,7 +61,8 @@ class Lobby:
     row: int = 0
     players: int | None = None
     settings: dict[str, Value] = field(default_factory=dict)
-    goes_on: bool = False
+    match: int = 0
+    names: tuple[str, ...] = ()
     card: Variant | None = None
     trouble: str = ""
     chosen: Chosen | None = None
@@ -87,12 +94,22 @@ class Lobby:
         kept = ("match",) if self.entry.kept else ()
         least, most, _ = self.card.players
         many = ("players",) if least < most else ()
-        return ("", *many, *self.card.settings, *kept)
+        count = int(self.value("players"))
+        names = tuple(f"{NAME}{number}" for number in range(1, count + 1))
+        return ("", *many, *names, *self.card.settings, *kept)
+
+    @property
+    def is_naming(self) -> bool:
+        """Whether what is typed is a player's name."""
+        return self.rows[min(self.row, len(self.rows) - 1)].startswith(NAME)
 
     def value(self, row: str) -> Value:
         """Return what a row says now."""
         if row == "match":
-            return self.goes_on
+            return self.match
+        if row.startswith(NAME):
+            place = int(row.removeprefix(NAME)) - 1
+            return self.names[place] if place < len(self.names) else ""
         if self.card is None:
             return ""
         if row == "players":
@@ -106,13 +123,27 @@ def _plain(text: str) -> str:
 
 def hear(lobby: Lobby, hands: Input) -> Lobby:
     """Return the start screen after a frame's keys and wheel."""
+    if lobby.is_naming and hands.typed:
+        lobby = _named(lobby, f"{lobby.value(lobby.rows[lobby.row])}{hands.typed}")
     for key in hands.pressed:
         lobby = _press(lobby, key, back=hands.shift)
     return pick(lobby, lobby.picked - hands.wheel) if hands.wheel else lobby
 
 
+def _named(lobby: Lobby, name: str) -> Lobby:
+    """Return the start screen with a name for the player of the row that is marked."""
+    place = int(lobby.rows[lobby.row].removeprefix(NAME)) - 1
+    names = list(lobby.names) + [""] * (place + 1 - len(lobby.names))
+    names[place] = "".join(letter for letter in name if letter.isprintable())[:LONGEST]
+    return replace(lobby, names=tuple(names))
+
+
 def _press(lobby: Lobby, key: str, *, back: bool) -> Lobby:
     match key:
+        case "backspace" if lobby.is_naming:
+            return _named(lobby, str(lobby.value(lobby.rows[lobby.row]))[:-1])
+        case _ if lobby.is_naming and (key in LETTERS or key == "space"):
+            return lobby
         case "up" | "down":
             return pick(lobby, lobby.picked + (1 if key == "down" else -1))
         case "page up" | "page down":
@@ -146,7 +177,7 @@ def pick(lobby: Lobby, place: int) -> Lobby:
 
 def _fresh(lobby: Lobby) -> Lobby:
     """Return the start screen with nothing set yet for the game picked."""
-    return replace(lobby, row=0, players=None, settings={}, goes_on=False, card=None, trouble="")
+    return replace(lobby, row=0, players=None, settings={}, match=0, card=None, trouble="")
 
 
 def change(lobby: Lobby, row: str, by: int) -> Lobby:
@@ -154,8 +185,10 @@ def change(lobby: Lobby, row: str, by: int) -> Lobby:
     if lobby.card is None or row not in lobby.rows or not row:
         return lobby
     now = lobby.value(row)
-    if row == "match":
-        return replace(lobby, goes_on=not lobby.goes_on)
+    if row == "match" and lobby.entry is not None:
+        return replace(lobby, match=(lobby.match + by) % (len(lobby.entry.kept) + 1))
+    if row.startswith(NAME):
+        return lobby
     if row == "players":
         least, most, _ = lobby.card.players
         return replace(lobby, players=min(max(int(now) + by, least), most))
@@ -183,16 +216,20 @@ def choose(lobby: Lobby) -> Lobby:
     """Return the start screen with the game picked chosen, where it can be played."""
     if lobby.entry is None or lobby.card is None:
         return lobby
-    kept = lobby.entry.kept if lobby.goes_on else None
-    chosen = Chosen(lobby.entry.name, lobby.players, dict(lobby.settings), kept)
+    kept = lobby.entry.kept[lobby.match - 1] if lobby.match else None
+    names = tuple(name.strip() for name in lobby.names[: int(lobby.value("players"))])
+    chosen = Chosen(lobby.entry.name, lobby.players, dict(lobby.settings), kept, names)
     return replace(lobby, chosen=chosen)
 
 
-def open_lobby(entries: Iterable[Entry], first: str = "") -> Lobby:
-    """Return the start screen at the game named `first`, else at the first of the list."""
+def open_lobby(entries: Iterable[Entry], first: str = "", names: tuple[str, ...] = ()) -> Lobby:
+    """Return the start screen at the game named `first`, else at the first of the list.
+
+    `names` are the players', as far as they are known.
+    """
     known = tuple(entries)
     place = next((k for k, one in enumerate(known) if one.name == first), 0)
-    return Lobby(known, picked=place)
+    return Lobby(known, picked=place, names=names)
 
 
 __all__ = ["Chosen", "Entry", "Lobby", "change", "choose", "hear", "open_lobby", "pick"]

@@ -6,14 +6,14 @@ it comes from the variant. Invariant: nothing is drawn by a renderer, so it is t
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import pygame
-
+from engine.app.lobby import NAME
 from engine.app.lobby_table import draw_table
-from engine.app.pen import BAD, FAINT, GOLD, TEXT, TONES
-from engine.app.starting import BACKGROUND
+from engine.app.pen import TONES
+from engine.app.theme import BACKGROUND, BAD, FAINT, GOLD, MARKED, PICKED, TEXT
 from engine.app.words import capital, spoken
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from engine.app.screen import Box
     from engine.variant.variant import Value
 
+WHEN = re.compile(r"-(\d{4})(\d\d)(\d\d)-(\d\d)(\d\d)\d\d")
+"""The day and the time in a journal's name."""
 ROW = 26
 """Height of a row, in text pixels."""
 
@@ -37,7 +39,7 @@ class LobbyScreen:
         """Draw it; `saying` tells what is being prepared behind it."""
         pen, (width, height) = self.pen, self.pen.surface.get_size()
         self.hot.clear()
-        pen.surface.fill(BACKGROUND)
+        pen.surface.fill(pen.tint(BACKGROUND))
         edge, top = pen.px(26), pen.px(74)
         pen.write("Headstring", (edge, pen.px(20)), TEXT, 30)
         told = f"find: {lobby.typed}_" if lobby.typed else "type to find a game"
@@ -67,8 +69,7 @@ class LobbyScreen:
     def _game(self, one: Entry, box: Box, *, picked: bool) -> None:
         pen = self.pen
         if picked:
-            pygame.draw.rect(pen.surface, (60, 54, 32), box, border_radius=4)
-            pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=4)
+            pen.card(box, PICKED, GOLD)
         place = box[0] + pen.px(10), box[1] + pen.px(3)
         mark = "   (kept)" if one.kept else ""
         title = f"{one.title or one.name}{mark}"
@@ -96,7 +97,7 @@ class LobbyScreen:
             self._row(lobby, row, line, marked=number == lobby.row)
             y += pen.px(ROW)
         play = (left, y + pen.px(4), pen.px(180), pen.px(ROW + 4))
-        pygame.draw.rect(pen.surface, GOLD, play, border_radius=4)
+        pen.card(play, GOLD)
         middle = play[0] + play[2] // 2, play[1] + pen.px(5)
         pen.write("Play  (Enter)", middle, BACKGROUND, 17, "middle")
         self.hot["play"] = play
@@ -104,33 +105,47 @@ class LobbyScreen:
     def _row(self, lobby: Lobby, row: str, box: Box, *, marked: bool) -> None:
         pen, (left, top, wide, high) = self.pen, box
         if marked:
-            pygame.draw.rect(pen.surface, (40, 44, 54), box, border_radius=4)
-            pygame.draw.rect(pen.surface, GOLD, box, 1, border_radius=4)
-        told, about = self._told(lobby, row)
+            pen.card(box, MARKED, GOLD)
+        told, about = self._told(lobby, row, marked=marked)
         text = top + pen.px(3)
         pen.write(told, (left + pen.px(10), text), TEXT if marked else TONES["plain"], 15)
         middle, arrow = left + round(0.46 * wide), pen.px(60)
-        for sign, x in ((-1, middle - arrow), (1, middle + arrow)):
+        arrows = () if row.startswith(NAME) else ((-1, middle - arrow), (1, middle + arrow))
+        if row.startswith(NAME):
+            self.hot[f"mark:{row}"] = box
+        for sign, x in arrows:
             spot = (x - pen.px(10), top, pen.px(20), high)
             pen.write("<" if sign < 0 else ">", (x, text), GOLD, 15, "middle")
             self.hot[f"set:{row}:{sign}"] = spot
-        said = _value_words(row, lobby.value(row))
+        said = _match_words(lobby) if row == "match" else _value_words(lobby.value(row))
+        if row.startswith(NAME) and marked:
+            said += "_"
         pen.write(said, (middle, text), GOLD, 15, "middle", room=2 * arrow - pen.px(24))
         start = middle + arrow + pen.px(24)
         pen.write(about, (start, text), FAINT, 13, room=max(left + wide - start, 1))
 
     @staticmethod
-    def _told(lobby: Lobby, row: str) -> tuple[str, str]:
+    def _told(lobby: Lobby, row: str, *, marked: bool) -> tuple[str, str]:
         """Return a row's name and what it is about."""
         if row == "players" or lobby.card is None:
             return "Players", ""
         if row == "match":
-            return "Match", "one was not played to its end"
+            count = len(lobby.entry.kept) if lobby.entry else 0
+            return "Match", f"{count} kept" if count > 1 else "one is kept"
+        if row.startswith(NAME):
+            return f"Player {row.removeprefix(NAME)}", "type a name" if marked else ""
         return capital(spoken(row)), lobby.card.settings[row].about
 
 
-def _value_words(row: str, value: Value) -> str:
+def _value_words(value: Value) -> str:
     if isinstance(value, bool):
-        yes, no = ("go on", "new") if row == "match" else ("yes", "no")
-        return yes if value else no
+        return "yes" if value else "no"
     return spoken(str(value))
+
+
+def _match_words(lobby: Lobby) -> str:
+    """Return which match is played: a new one, or the day and time of one that is kept."""
+    if not lobby.match or lobby.entry is None:
+        return "new"
+    found = WHEN.search(lobby.entry.kept[lobby.match - 1].stem)
+    return f"{found[3]}.{found[2]}. {found[4]}:{found[5]}" if found else "go on"

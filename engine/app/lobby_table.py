@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from engine.app.pen import CHALK
+from engine.app.theme import CHALK
 from engine.stage.plan import trace_shapes
 from engine.variant.rack import lay_rack
 

@@ -6,6 +6,7 @@ smooth it looks and never what happens.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -18,16 +19,17 @@ from engine.app.controls import Controls
 from engine.app.glide import Glide
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
+from engine.app.labels import shown_variant
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import Pen
 from engine.app.practising import lay
 from engine.app.screen import Screen
 from engine.app.session import SHOWING, Mode
-from engine.app.showing import Showing
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time, take_up
+from engine.app.units import Units
 from engine.app.view import View, camera_of, followed_place, stroke_seen, struck_ball
 from engine.app.wishes import Ask
 from engine.stage.stage import build_stage
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
     from engine.app.inputs import InputEvent
     from engine.app.keeping import Keeper
     from engine.app.session import Session
+    from engine.app.showing import Showing
     from engine.app.startup import Startup
     from engine.app.watching import Watch
     from engine.app.window import Window
@@ -64,6 +67,9 @@ class Loop:
     renderer: str = "scanline"
     rate: int = 60
     text: float = 1.0
+    theme: str = "dark"
+    units: Units = Units.METRIC
+    letters: bool = False
     speaker: Speaker = field(default_factory=Speaker)
     view: View = field(default_factory=View)
     glide: Glide = field(default_factory=Glide)
@@ -82,7 +88,8 @@ class Loop:
     _followed: Point | None = None
 
     def __post_init__(self) -> None:
-        self.hud = Hud(Pen(self.window.surface), self.controls.keyboard.keymap)
+        pen = Pen(self.window.surface, theme=self.theme)
+        self.hud = Hud(pen, self.controls.keyboard.keymap, self.units, letters=self.letters)
 
     def run(self, each: Callable[[Loop], None] | None = None) -> None:
         """Play until the player quits; `each` is called before every frame.
@@ -100,6 +107,7 @@ class Loop:
             began = perf_counter()
             self.frame(self.window.read(), seconds)
             self.busy = perf_counter() - began
+        self._leave()
 
     def frame(self, events: list[InputEvent], seconds: float) -> None:
         """Do one frame: take in `events`, let `seconds` pass, draw."""
@@ -186,9 +194,15 @@ class Loop:
             self.session = replace(self.session, trouble=str(trouble))
             return
         session = take_up(self.session, variant)
-        if not session.trouble:
-            self.showing = Showing(build_stage(variant))
         self._set(session)
+        if not session.trouble:
+            self._build_stage()
+
+    def _build_stage(self) -> None:
+        """Build anew what is seen of the game, with letters on every ball or without."""
+        variant = shown_variant(self.session.variant, letters=self.letters)
+        self.showing.stage = build_stage(variant)
+        self.hud.letters = self.letters
 
     def _do(self, wish: Wish) -> None:
         if isinstance(wish, Ask):
@@ -204,9 +218,14 @@ class Loop:
         if session.match is before.match:
             return
         try:
-            self.keeper.follow(session.match)
+            self.keeper.follow(session.match, session.timing.clock.left)
         except OSError as trouble:
             self._note(f"the journal cannot be written: {trouble}")
+
+    def _leave(self) -> None:
+        """Note the time that is left, so that the match can be gone on with."""
+        with suppress(OSError):
+            self.keeper.leave(self.session.timing.clock.left)
 
     def _answer(self, ask: Ask) -> None:
         match ask.action:
@@ -218,6 +237,9 @@ class Loop:
                 self.view = self.view.following(self._balls_seen())
             case "full-screen":
                 self.window.toggle_full_screen()
+            case "letters":
+                self.letters = not self.letters
+                self._build_stage()
             case "zoom":
                 self.view = self.view.zoomed(ask.amount)
             case "orbit":

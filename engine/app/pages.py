@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING
 
-import pygame
-
 from engine.app import keys
-from engine.app.pen import FAINT, GOLD, TEXT, TONES
+from engine.app.pen import TONES
 from engine.app.telling import explanation_lines, rules_lines
+from engine.app.theme import FAINT, GOLD, MARKED, PICKED, TEXT
 from engine.app.words import Line, player_name
 
 if TYPE_CHECKING:
@@ -68,7 +67,8 @@ def _why(session: Session) -> list[Row]:
     if last is None:
         return [Row(line) for line in explanation_lines(())]
     number = session.match.played.index(last) + 1
-    title = f"Shot {number}, {player_name(last.before.shooter)}, by the {session.variant.rulebook}"
+    who = player_name(last.before.shooter, session.names)
+    title = f"Shot {number}, {who}, by the {session.variant.rulebook}"
     told = explanation_lines(last.verdict.explanation)
     marks = "+ it spoke   - it was silent, and why   x another rule overrode it"
     return [Row(line) for line in (Line(title, "good"), Line(marks, "faint"), *told)]
@@ -143,11 +143,7 @@ def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int], picked: bool) 
         x += pen.px(240)
     if row.hot:
         place = x, y - pen.px(4), wide - pen.px(40), step - 2
-        pygame.draw.rect(
-            pen.surface, (60, 54, 32) if picked else (40, 44, 54), place, border_radius=4
-        )
-        if picked:
-            pygame.draw.rect(pen.surface, GOLD, place, 1, border_radius=4)
+        pen.card(place, PICKED if picked else MARKED, GOLD if picked else None)
         hud.hot[row.hot] = place
         x += pen.px(12)
     pen.write(row.line.text, (x, y), TONES[row.line.tone], 16)

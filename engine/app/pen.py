@@ -12,32 +12,31 @@ from typing import TYPE_CHECKING
 import pygame
 import pygame.freetype
 
+from engine.app.theme import BAD, EDGE, FAINT, GOOD, PANEL, PLAIN, TEXT, THEMES, TROUGH
+
 if TYPE_CHECKING:
     from engine.app.screen import Box
+    from engine.app.theme import Colour
 
-Colour = tuple[int, int, int]
-TEXT: Colour = (233, 232, 226)
-FAINT: Colour = (150, 155, 162)
-GOLD: Colour = (250, 196, 70)
-GOOD: Colour = (128, 214, 140)
-BAD: Colour = (255, 122, 108)
-PANEL: Colour = (22, 25, 31)
-EDGE: Colour = (62, 68, 80)
-CHALK: Colour = (236, 234, 222)
-TONES = {"head": TEXT, "good": GOOD, "bad": BAD, "plain": (205, 206, 204), "faint": FAINT}
+TONES = {"head": TEXT, "good": GOOD, "bad": BAD, "plain": PLAIN, "faint": FAINT}
 BASE = 17
 KEPT = 600
 
 
 @dataclass(slots=True)
 class Pen:
-    """Draws on `surface`; `scale` 1 is for a window 1280 x 720."""
+    """Draws on `surface`; `scale` 1 is for a window 1280 x 720, `theme` is dark or light."""
 
     surface: pygame.Surface
     scale: float = 1.0
+    theme: str = "dark"
     _fonts: dict[int, pygame.freetype.Font] = field(default_factory=dict)
     _widths: dict[tuple[str, int], int] = field(default_factory=dict)
     _texts: dict[tuple[str, int, Colour], pygame.Surface] = field(default_factory=dict)
+
+    def tint(self, colour: Colour) -> Colour:
+        """Return what stands for a colour in this theme."""
+        return THEMES[self.theme].get(colour, colour)
 
     def px(self, size: float) -> int:
         """Return text pixels as whole pixels of the window."""
@@ -94,11 +93,11 @@ class Pen:
         return text.rstrip() + "..."
 
     def _image(self, text: str, size: float, colour: Colour) -> pygame.Surface:
-        key = text, self.px(size), colour
+        key = text, self.px(size), self.tint(colour)
         if key not in self._texts:
             if len(self._texts) > KEPT:
                 self._texts.clear()
-            self._texts[key] = self.font(size).render(text, colour)[0]
+            self._texts[key] = self.font(size).render(text, self.tint(colour))[0]
         return self._texts[key]
 
     def wrap(self, text: str, room: int, size: float = BASE) -> list[str]:
@@ -116,20 +115,31 @@ class Pen:
 
     def panel(self, box: Box, alpha: int = 235, edge: Colour | None = EDGE) -> None:
         """Fill a box for text, see-through where `alpha` is below 255."""
+        ground = self.tint(PANEL)
         if alpha >= 255:
-            self.surface.fill(PANEL, box)
+            self.surface.fill(ground, box)
         else:
             sheet = pygame.Surface((box[2], box[3]), pygame.SRCALPHA)
-            sheet.fill((*PANEL, alpha))
+            sheet.fill((*ground, alpha))
             self.surface.blit(sheet, (box[0], box[1]))
         if edge is not None:
-            pygame.draw.rect(self.surface, edge, box, 1)
+            pygame.draw.rect(self.surface, self.tint(edge), box, 1)
+
+    def card(self, box: Box, fill: Colour, edge: Colour | None = None, radius: int = 4) -> None:
+        """Fill a box with round corners."""
+        pygame.draw.rect(self.surface, self.tint(fill), box, border_radius=radius)
+        if edge is not None:
+            pygame.draw.rect(self.surface, self.tint(edge), box, 1, border_radius=radius)
+
+    def rule(self, start: tuple[int, int], end: tuple[int, int]) -> None:
+        """Draw a line between two parts of the display."""
+        pygame.draw.line(self.surface, self.tint(EDGE), start, end)
 
     def bar(self, box: Box, share: float, colour: Colour) -> None:
         """Draw a gauge filled to `share`."""
-        pygame.draw.rect(self.surface, (40, 44, 52), box, border_radius=3)
+        self.card(box, TROUGH, radius=3)
         filled = pygame.Rect(box)
         filled.width = max(0, min(box[2], round(box[2] * share)))
         if filled.width:
-            pygame.draw.rect(self.surface, colour, filled, border_radius=3)
-        pygame.draw.rect(self.surface, EDGE, box, 1, border_radius=3)
+            pygame.draw.rect(self.surface, self.tint(colour), filled, border_radius=3)
+        pygame.draw.rect(self.surface, self.tint(EDGE), box, 1, border_radius=3)

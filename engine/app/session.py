@@ -100,6 +100,11 @@ class Session:
         return self.match.variant
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """What the players are called, as far as they have names."""
+        return self.match.names
+
+    @property
     def last(self) -> Played | None:
         """The shot played last."""
         return self.match.played[-1] if self.match.played else None

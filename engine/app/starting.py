@@ -7,19 +7,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from engine.app.pen import FAINT, GOLD, TEXT
+from engine.app.theme import BACKGROUND, FAINT, GOLD, TEXT
 
 if TYPE_CHECKING:
     from engine.app.pen import Pen
-
-BACKGROUND = (16, 18, 22)
 
 
 def draw_start(pen: Pen, title: str, saying: str, share: float, *, is_first: bool) -> None:
     """Say what is being prepared, and how far it has come (0 to 1)."""
     width, height = pen.surface.get_size()
     middle = width // 2, height // 2
-    pen.surface.fill(BACKGROUND)
+    pen.surface.fill(pen.tint(BACKGROUND))
     pen.write(title, (middle[0], middle[1] - pen.px(90)), TEXT, 34, "middle")
     pen.write(saying, (middle[0], middle[1] - pen.px(20)), FAINT, 17, "middle")
     if is_first:

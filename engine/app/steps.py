@@ -307,4 +307,4 @@ def next_game(session: Session) -> Session:
         timing = timed_anew(session.timing, again)
         return begin(again, session.stroke, session.aid, timing)
     again = start_match(session.variant, old.situation.players, old.settings, seed=old.seed + 1)
-    return begin(again, session.stroke, session.aid)
+    return begin(replace(again, names=old.names), session.stroke, session.aid)

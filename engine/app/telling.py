@@ -13,7 +13,7 @@ from rulelang.events import LeftTable, PinToppled, Pocketed
 from rulelang.program import by_section
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from engine.game.match import Played
     from engine.game.verdict import Spotted, Verdict
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rulelang.program import RuleInfo
 
 
-def verdict_lines(variant: Variant, played: Played) -> list[Line]:
+def verdict_lines(variant: Variant, played: Played, names: Sequence[str] = ()) -> list[Line]:
     """Return the referee's words on a shot."""
     verdict, after = played.verdict, played.verdict.after
     if played.shot.is_only_choice:
@@ -35,11 +35,12 @@ def verdict_lines(variant: Variant, played: Played) -> list[Line]:
     lines += _happened(variant, verdict)
     for player, points in enumerate(verdict.points, start=1):
         if points:
-            said = f"{player_name(player)}: {points:+d} {'point' if abs(points) == 1 else 'points'}"
+            unit = "point" if abs(points) == 1 else "points"
+            said = f"{player_name(player, names)}: {points:+d} {unit}"
             lines.append(Line(said, "head"))
     lines += _put_back(variant, verdict)
     lines += [Line(one, "faint") for one in _reasons(verdict)]
-    lines.append(Line(next_words(variant, after), "head"))
+    lines.append(Line(next_words(variant, after, names), "head"))
     return lines
 
 

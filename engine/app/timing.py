@@ -41,12 +41,24 @@ class Timing:
     counting: frozenset[str] | None = None
 
 
-def timing_of(match: Match) -> Timing:
-    """Return the timing of a match all of whose time is left, but for what was told to be out."""
+def timing_of(match: Match, times: Mapping[Moment, Mapping[str, float]] = empty()) -> Timing:
+    """Return the timing of a match, from what a journal says of its `times`.
+
+    Without them all of the time is left, but for what was told to be out.
+    """
     clock = wind(match.variant.program.timers)
+    began = {moment: _clock(clock, left) for moment, left in times.items()}
+    if _moment(match) in began:
+        return _entered(Timing(began[_moment(match)], began), match)
     out = {name for name in clock.left if _told(match, name)}
     left = {name: 0.0 if name in out else time for name, time in clock.left.items()}
-    return _entered(Timing(replace(clock, left=left)), match)
+    return _entered(Timing(replace(clock, left=left), began), match)
+
+
+def _clock(full: Clock, left: Mapping[str, float]) -> Clock:
+    """Return a clock with the time left that a journal tells, as far as the script has timers."""
+    told = {name: min(left.get(name, time), time) for name, time in full.left.items()}
+    return replace(full, left=told)
 
 
 def _told(match: Match, name: str) -> bool:

@@ -117,6 +117,8 @@ def translate(event: pygame.event.Event) -> Iterator[inputs.InputEvent]:
             yield inputs.KeyPressed(key_name(event.key))
         case pygame.KEYUP:
             yield inputs.KeyReleased(key_name(event.key))
+        case pygame.TEXTINPUT:
+            yield inputs.Typed(event.text)
         case pygame.MOUSEMOTION:
             yield inputs.MouseMoved(event.pos)
         case pygame.MOUSEBUTTONDOWN if event.button <= inputs.RIGHT:

@@ -41,6 +41,7 @@ WINDOW = (
     "camera",
     "follow",
     "full-screen",
+    "letters",
     "keep",
     "lay",
     "sound",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from engine.game.situation import cue_ball_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from engine.game.situation import Situation
     from engine.table.furniture import BallId
@@ -47,9 +47,10 @@ def ball_name(variant: Variant, ball: str) -> str:
     return "cue ball" if variant.cue_balls == (ball,) else spoken(ball)
 
 
-def player_name(player: int) -> str:
-    """Return what a player is called."""
-    return f"Player {player}"
+def player_name(player: int, names: Sequence[str] = ()) -> str:
+    """Return what a player is called: by his name where he has one."""
+    own = names[player - 1] if 0 < player <= len(names) else ""
+    return own or f"Player {player}"
 
 
 def named_balls(variant: Variant, balls: Iterable[BallId], among: Iterable[BallId]) -> str:
@@ -69,14 +70,14 @@ def named_balls(variant: Variant, balls: Iterable[BallId], among: Iterable[BallI
     return ", ".join(said)
 
 
-def result_words(situation: Situation) -> str:
+def result_words(situation: Situation, names: Sequence[str] = ()) -> str:
     """Return who has won; empty while the game goes on."""
     unit = "match" if situation.match_over else "game"
     if situation.winner is None:
         return ""
     if situation.winner == 0:
         return f"The {unit} is a draw"
-    return f"{player_name(situation.winner)} wins the {unit}"
+    return f"{player_name(situation.winner, names)} wins the {unit}"
 
 
 def cited(cites: Iterable[str]) -> str:
@@ -85,11 +86,11 @@ def cited(cites: Iterable[str]) -> str:
     return f" [{joined}]" if joined else ""
 
 
-def next_words(variant: Variant, after: Situation) -> str:
+def next_words(variant: Variant, after: Situation, names: Sequence[str] = ()) -> str:
     """Return who is next and with what."""
     if after.over:
-        return result_words(after)
-    who = player_name(after.shooter)
+        return result_words(after, names)
+    who = player_name(after.shooter, names)
     if after.offers:
         return f"{who} chooses: {', '.join(spoken(one) for one in after.options)}"
     ball = ball_name(variant, cue_ball_of(variant, after.shooter))

@@ -36,13 +36,17 @@ class Played:
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """A match as a value; `situation` is the one before the next shot."""
+    """A match as a value; `situation` is the one before the next shot.
+
+    `names` are the players' by their number, as far as they have one.
+    """
 
     variant: Variant
     seed: int
     settings: Mapping[str, Value]
     situation: Situation
     played: tuple[Played, ...] = field(default=())
+    names: tuple[str, ...] = ()
 
 
 class SettingError(ValueError):
@@ -214,7 +218,7 @@ def rejudge(match: Match, variant: Variant) -> Match:
         if unknown:
             raise ValueError(f"a shot was played with balls that are gone: {sorted(unknown)}")
         again = advance(again, one.shot, judge_shot(variant, again.situation, one.shot))
-    return again
+    return replace(again, names=match.names)
 
 
 def undo(match: Match) -> Match:

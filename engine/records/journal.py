@@ -9,6 +9,7 @@ Invariant: nothing that was written is ever changed; an undo is a line of its ow
 from __future__ import annotations
 
 import os
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import tomli_w
@@ -21,20 +22,28 @@ from engine.records.blocks import (
     UNDONE,
     begun_line,
     is_torn,
+    left_line,
+    names_line,
+    names_of,
     seed_line,
     standing,
+    times_left,
 )
 from engine.records.read import read_record_text
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
+    from engine.records.blocks import Times
     from engine.records.read import Load
 
 EMPTY_SHOT = '\n[[shot]]\nchoose = "play"\n[shot.expect]\n'
 
+
+NOTHING: Mapping[str, float] = MappingProxyType({})
 
 Entry = Played | int
 """What a journal tells: a shot, or that the next game was begun by a player."""
@@ -71,7 +80,8 @@ class Journal:
             "settings": dict(match.settings),
             "before": before_table(match.variant, start),
         }
-        text = f"{seed_line(match.seed)}{tomli_w.dumps(head)}{KEPT}\n"
+        names = names_line(match.names) if match.names else ""
+        text = f"{seed_line(match.seed)}{names}{tomli_w.dumps(head)}{KEPT}\n"
         path.write_text(text, encoding="utf-8")
         for entry in entries_of(match):
             journal.append(entry)
@@ -85,18 +95,27 @@ class Journal:
             journal.write_line(TORN)
         return journal
 
-    def append(self, played: Entry) -> None:
-        """Add one shot with its verdict, or the start of a game, and flush it to the disk."""
+    def append(self, played: Entry, left: Mapping[str, float] = NOTHING) -> None:
+        """Add one shot with its verdict, or the start of a game, and flush it to the disk.
+
+        `left` are the seconds that each timer has then.
+        """
+        after = f"{left_line(left)}\n" if left else ""
         if isinstance(played, int):
-            self.write_line(begun_line(played))
+            self.write_line(f"{begun_line(played)}\n{after}".rstrip("\n"))
             return
         expect = expectation(played.verdict, played.before)
         block = tomli_w.dumps({"shot": [{**shot_table(played.shot), "expect": expect}]})
-        self._write(f"\n{block}{KEPT}\n")
+        self._write(f"\n{block}{KEPT}\n{after}")
 
     def undo(self) -> None:
         """Note that the last shot, or the start of the last game, was taken back."""
         self.write_line(UNDONE)
+
+    def note_time(self, left: Mapping[str, float]) -> None:
+        """Note the seconds that each timer has left now."""
+        if left:
+            self.write_line(left_line(left))
 
     def write_line(self, line: str) -> None:
         """Add a closing line that stands for itself, whatever the file ends with."""
@@ -120,7 +139,7 @@ def resume(path: Path, load: Load) -> Match:
     empty = "" if "[[shot]]" in standing(text) else f"\n{TORN}\n{EMPTY_SHOT}{KEPT}\n"
     record = read_record_text(text + empty, path, load)
     start = record.start
-    match = Match(record.variant, start.seed, start.settings, start)
+    match = Match(record.variant, start.seed, start.settings, start, names=names_of(text))
     breakers = record.begun
     for shots, step in enumerate(() if empty else record.steps):
         if shots in breakers:
@@ -129,3 +148,8 @@ def resume(path: Path, load: Load) -> Match:
         match = advance(match, step.shot, verdict)
     last = len(match.played)
     return next_game(match, breakers[last]) if last in breakers else match
+
+
+def times_of(path: Path) -> Times:
+    """Return what time each timer had left at each moment of a journal."""
+    return times_left(path.read_text(encoding="utf-8", errors="replace"))

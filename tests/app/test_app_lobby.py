@@ -23,7 +23,7 @@ window_test = pytest.mark.xdist_group("window")
 def lobby(tmp_path):
     names = ("eight_ball", "one_cushion", "snooker", "three_cushion")
     entries = [Entry(name, name.replace("_", "-").title()) for name in names]
-    entries[2] = replace(entries[2], kept=tmp_path / "kept.toml")
+    entries[2] = replace(entries[2], kept=(tmp_path / "kept.toml", tmp_path / "older.toml"))
     return open_lobby(entries, "snooker")
 
 
@@ -102,14 +102,40 @@ def test_a_number_is_set_within_its_bounds():
 
 def test_what_was_set_is_forgotten_with_another_game(lobby):
     there = change(carded(lobby), "match", 1)
-    assert there.goes_on
-    assert not pick(there, 0).goes_on
+    assert there.match == 1
+    assert pick(there, 0).match == 0
 
 
 def test_a_kept_match_can_be_gone_on_with(lobby, tmp_path):
     on = change(carded(lobby), "match", 1)
     assert choose(on).chosen.kept == tmp_path / "kept.toml"
+    assert choose(change(on, "match", 1)).chosen.kept == tmp_path / "older.toml"
+    assert choose(change(on, "match", 2)).chosen.kept is None
     assert choose(carded(lobby)).chosen.kept is None
+
+
+def typed(lobby, text):
+    for letter in text:
+        lobby = hear(lobby, Input(pressed=[letter.lower()], typed=letter))
+    return lobby
+
+
+def test_names_are_typed_where_they_stand_and_go_with_the_match(lobby):
+    lobby = carded(lobby)
+    first = keyed(lobby, *["tab"] * lobby.rows.index("name 1"))
+    first = keyed(typed(first, "Änne 2x"), "backspace")
+    assert first.entry.name == "snooker"
+    both = typed(keyed(first, "tab"), "Bo")
+    assert choose(both).chosen.names == ("Änne 2", "Bo")
+    again = pick(both, 0)
+    assert choose(carded(again)).chosen.names == ("Änne 2", "Bo")
+
+
+def test_a_name_has_an_end_and_other_players_names_are_left_out(lobby):
+    lobby = replace(carded(lobby), names=("A", "B", "C", "D"))
+    assert choose(lobby).chosen.names == ("A", "B")
+    long = typed(keyed(lobby, *["tab"] * lobby.rows.index("name 2")), "x" * 50)
+    assert len(choose(long).chosen.names[1]) == 20
 
 
 def test_every_setting_of_every_game_can_be_stepped():

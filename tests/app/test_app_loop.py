@@ -255,6 +255,7 @@ def test_a_killed_match_is_gone_on_with(own_folders):
         ({"variant": "three_cushion", "settings": {"taget": "5"}}, "target"),
         ({"variant": "three_cushion", "settings": {"target": "many"}}, "whole number"),
         ({"variant": "three_cushion", "rate": 0}, "rate"),
+        ({"variant": "three_cushion", "names": ("A", "B", "C")}, "3 names are too many"),
         ({"variant": "three_cushion", "renderer": "oil"}, "wireframe"),
         ({"variant": "three_cushion", "resume": True}, "no match"),
         ({"variant": "three_cushion", "resume": "nowhere.toml"}, "nowhere.toml"),
@@ -268,12 +269,27 @@ def test_a_mistake_of_the_player_is_one_clear_line(capsys, asked, words):
     assert "Traceback" not in told
 
 
-def test_a_bad_settings_file_is_told_with_its_place(own_folders, capsys):
+def test_a_bad_settings_file_is_told_with_its_place_and_the_game_goes_on(own_folders, capsys):
     folder = own_folders / "config" / "headstring"
     folder.mkdir(parents=True)
-    (folder / "settings.toml").write_text("rate = 0\n", encoding="utf-8")
-    assert play("three_cushion") == 2
-    assert "settings.toml:1: rate" in capsys.readouterr().err
+    text = (
+        'rate = 0\nnames = ["Ann", "Bo", "Cy"]\ntheme = "light"\ncamera = "orbit"\nsmooth = false\n'
+    )
+    (folder / "settings.toml").write_text(text, encoding="utf-8")
+    seen = []
+
+    def look(loop):
+        seen.append(loop)
+        loop.running = False
+
+    assert play("three_cushion", each=look) == 0
+    assert "settings.toml:1:8: rate" in capsys.readouterr().err
+    assert "settings.toml:1:8: rate" in seen[0].session.note
+    assert seen[0].session.names == ("Ann", "Bo")
+    assert seen[0].hud.pen.theme == "light"
+    assert seen[0].view.camera == "orbit"
+    assert seen[0].glide.time == 0.0
+    assert seen[0].rate == 60
 
 
 @pytest.mark.usefixtures("own_folders")
