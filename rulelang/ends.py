@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rulelang.closures import clear, opponent
+from rulelang.firing import override
 from rulelang.moment import endings_of
 from rulelang.settle import sum_points, write_state
 from rulelang.watch import Nobody
@@ -34,7 +35,10 @@ def loser(c: Watch) -> int:
 
 
 def fire_at(rules: tuple[CompiledRule, ...], c: Watch) -> Fired:
-    """Return the rules of a moment that fire; one that needs a winner is silent without."""
+    """Return the rules of a moment that fire and are not overridden.
+
+    One that needs a winner is silent without.
+    """
     fired: Fired = []
     for rule in rules:
         try:
@@ -43,7 +47,7 @@ def fire_at(rules: tuple[CompiledRule, ...], c: Watch) -> Fired:
             continue
         if made is not None:
             fired.append((rule, made))
-    return fired
+    return override(fired)[0]
 
 
 def close(

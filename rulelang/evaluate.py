@@ -12,7 +12,7 @@ from rulelang.choosing import choose
 from rulelang.closures import singles
 from rulelang.decisions import Admission, Decisions, Required
 from rulelang.ends import starting
-from rulelang.firing import fire, rules_of
+from rulelang.firing import fire, override, rules_of
 from rulelang.judging import judge_shot
 from rulelang.moment import cue_ball_of, homes_of, look, start_of
 from rulelang.program import CONSEQUENCE
@@ -66,7 +66,7 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
     c.call = call
     c.cue = program.bits[cue_ball_of(program, situation.shooter)]
     c.objects = program.ball_mask & ~c.cue
-    fired = fire(rules_of(program, "before shot", c.phase), c)
+    fired, _ = override(fire(rules_of(program, "before shot", c.phase), c))
     required = tuple(Required(d[1], d[2]) for _, made in fired for d in made if d[0] == "require")
     on = frozenset[str]()
     if program.on is not None:

@@ -65,6 +65,8 @@ def judge_shot(
     ended, eliminated, extra = _ending(program, situation, c, log)
     points = tuple(a + b for a, b in zip(points, extra, strict=True)) if ended else points
     next_player = _still_in(c, turn, eliminated)
+    if next_player != c.next_player:
+        in_hand, offers = _handed_on(c.next_player, next_player, in_hand, offers)
     if offers and not ended:
         next_player = offers[0].player
     over = bool(ended)
@@ -166,12 +168,24 @@ def _to_play(c: Watch, turn: Turn) -> int:
 
 
 def _still_in(c: Watch, turn: Turn, eliminated: frozenset[int]) -> int:
-    player = c.next_player
+    """Return who plays next: one who is out is passed over, one who is back in is not."""
+    passes = turn.player is None and not turn.continues
+    player = c.shooter % c.players + 1 if passes else c.next_player
     for _ in range(c.players):
         if player not in eliminated:
             return player
         player = player % c.players + 1
     return turn.player or player
+
+
+def _handed_on(
+    one: int, other: int, in_hand: InHand | None, offers: tuple[Offer, ...]
+) -> tuple[InHand | None, tuple[Offer, ...]]:
+    """Give to the other player what was meant for who was to play next."""
+    if in_hand is not None and in_hand.player == one:
+        in_hand = InHand(other, in_hand.zone)
+    offered = tuple(Offer(other, o.option, o.key) if o.player == one else o for o in offers)
+    return in_hand, offered
 
 
 def _reset(

@@ -8,7 +8,7 @@ import pytest
 from rule_cases import POOL, nothing_to_use, parse_event
 
 from rulelang.compile import check_script, compile_script
-from rulelang.evaluate import judge, start
+from rulelang.evaluate import admit, judge, start
 from rulelang.facts import Shot, Situation
 
 TABLE = replace(POOL, players=(2, 4))
@@ -220,3 +220,40 @@ def test_a_hidden_number_may_decide():
 
 def test_there_is_a_number_for_everybody():
     assert codes("if lot of shooter up to 3 is 2: foul x\n") == [(1, "R307")]
+
+
+OVERRIDDEN = """
+track given per game
+track ended per game
+at game start:
+    rule "Five" [1]: set given to 5
+    rule "Seven" [2] overrides "Five": set given to 7
+before shot:
+    rule "Pocket" [3]: require pocket from shooter
+    rule "Ball" [4] overrides "Pocket": require ball from shooter
+ending:
+    if 9-ball pocketed: shooter wins game
+at game end:
+    rule "One" [5]: set ended to 1
+    rule "Two" [6] overrides "One": set ended to 2
+"""
+
+
+def test_a_rule_overrides_at_every_moment():
+    program = program_of(OVERRIDDEN)
+    assert start(program, before(program)).state["given"] == 7
+    assert [one.what for one in admit(program, before(program)).required] == ["ball"]
+    assert play(OVERRIDDEN, "9 pocketed foot-left").state["ended"] == 2
+
+
+def test_who_is_back_in_plays_at_his_place():
+    script = (
+        "ending:\n    for each player:\n"
+        "        if that player is not shooter and 2-ball pocketed: reinstate that player\n"
+        "next shot: give next player cue ball in hand in table\n"
+    )
+    out = {"players": 4, "eliminated": frozenset({2, 3})}
+    passed_over = play(script, "1 pocketed foot-left", **out)
+    assert (passed_over.next_player, passed_over.in_hand.player) == (4, 4)
+    back = play(script, "2 pocketed foot-left", **out)
+    assert (back.next_player, back.in_hand.player) == (2, 2)
