@@ -29,7 +29,14 @@ class Bands:
         rows = last - first
         cuts = [first + rows * k // self._threads for k in range(self._threads + 1)]
         (top, bottom), *others = itertools.pairwise(cuts)
-        waiting = [self._pool.submit(draw, a, b) for a, b in others]
+        task = [draw]
+        waiting = [self._pool.submit(_call, task, a, b) for a, b in others]
         draw(top, bottom)
         for band in waiting:
             band.result()
+        # a thread may hold its task a little longer; the picture in it must not stay lent
+        task.clear()
+
+
+def _call(task: list[Callable[[int, int], object]], top: int, bottom: int) -> None:
+    task[0](top, bottom)
