@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from frozen import value
 from rulelang.reading import Token, tokens_of
-from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

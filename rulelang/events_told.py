@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from frozen import value
 from rulelang import watch as w
-from rulelang.values import value
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:

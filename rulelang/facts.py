@@ -12,7 +12,7 @@ from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from rulelang.values import value
+from frozen import value
 
 if TYPE_CHECKING:
     from rulelang.decisions import TableAction

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from frozen import value
 from rulelang import syntax as s
 from rulelang.closures import singles
 from rulelang.code import Mistake
 from rulelang.syntax.plain import plain
-from rulelang.values import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

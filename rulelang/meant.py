@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from difflib import get_close_matches
 
+from frozen import value
 from rulelang.program import SECTIONS
-from rulelang.values import value
 
 _VERBS = r"(?:pocketed|hit|left|crossed|entered|jumped|toppled|touched|rebounded|settled|pressed)"
 _HEADS = r"(?:rule|if|for|otherwise|define|offer|at|track|fact|phases|zones|uses|game|language)\b"

@@ -8,7 +8,6 @@ through a pocket without dropping.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, hypot, isfinite, pi, sin, tan
 
 from engine.table.furniture import (
@@ -23,6 +22,7 @@ from engine.table.furniture import (
     Straight,
     Table,
 )
+from frozen import value
 
 PLAIN = ("foot", "left", "head", "right")
 CUSHIONS = ("foot", "left-foot", "left-head", "head", "right-head", "right-foot")
@@ -33,7 +33,7 @@ RIM = 0.05
 """Height (m) of what stands behind a pocket where nothing is said: higher than any nose."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PocketCut:
     """How a pocket is cut into the cushions.
 
@@ -80,7 +80,7 @@ class PocketCut:
             raise ValueError(message)
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class _Joint:
     """Where one cushion ends and the next begins, and the pocket between them."""
 

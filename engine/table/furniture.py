@@ -7,9 +7,11 @@ Invariant: nothing here moves and nothing here knows a game.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NewType
+
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -24,7 +26,7 @@ ZoneId = NewType("ZoneId", str)
 PinId = NewType("PinId", str)
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Straight:
     """A straight nose from `start` to `end` (m); the bed lies on its left."""
 
@@ -32,7 +34,7 @@ class Straight:
     end: Point
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Curve:
     """A round nose: an arc about `centre` (m) from angle `start` through `sweep` (rad).
 
@@ -49,7 +51,7 @@ class Curve:
 Shape = Straight | Curve
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rubber:
     """Ball on cushion: restitution by the speed into it, friction by the angle of incidence.
 
@@ -69,7 +71,7 @@ class Rubber:
     frequency_ratio: float = 1.7
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Cushion:
     """One named cushion: the chain of noses that records call by one name.
 
@@ -84,7 +86,7 @@ class Cushion:
     upright: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Jaw:
     """One side of a pocket's mouth: shoulder and facing, from the cushion into the pocket."""
 
@@ -92,7 +94,7 @@ class Jaw:
     shapes: tuple[Shape, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Pocket:
     """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops.
 
@@ -117,7 +119,7 @@ class Pocket:
     jaw_model: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Pin:
     """A turned body that stands on the bed at `at` (m) until something fells it.
 
@@ -150,7 +152,7 @@ class Pin:
         return max(radius for _, radius in self.profile)
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Line:
     """A line across the bed from `start` to `end` (m), drawn on the cloth or only thought of."""
 
@@ -159,7 +161,7 @@ class Line:
     drawn: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class HalfPlane:
     """The points p with (p - `point`) . `normal` > 0, or >= 0 where `closed`."""
 
@@ -168,7 +170,7 @@ class HalfPlane:
     closed: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Disc:
     """The points within `radius` (m) of `centre`, its rim included where `closed`."""
 
@@ -177,21 +179,21 @@ class Disc:
     closed: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Area:
     """The bed's points that lie in every one of `parts`; with no parts, the whole bed."""
 
     parts: tuple[HalfPlane | Disc, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Places:
     """A zone that is no area but some single points (m), such as two starting spots."""
 
     points: tuple[Point, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Figure:
     """The bed's points less than `margin` (m) away from a convex figure, or just so if `closed`.
 
@@ -203,7 +205,7 @@ class Figure:
     closed: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Opposite:
     """Whichever of several areas holds none of the balls that may be hit first.
 
@@ -216,7 +218,7 @@ class Opposite:
 Zone = Area | Places | Figure | Opposite
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Table:
     """One table as it stands in the room; lengths in metres.
 

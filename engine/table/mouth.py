@@ -7,19 +7,19 @@ Invariant: as on a rectangular table, the jaws run in until the drop circle span
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin, tan
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import Curve, Jaw, Pocket, Straight
 from engine.table.region import ends
+from frozen import value
 
 if TYPE_CHECKING:
     from engine.table.build import PocketCut
     from engine.table.furniture import PocketId, Point, Shape
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Mouth:
     """A pocket between two noses: how far (m) each is cut back, and what fills the gap."""
 

@@ -8,7 +8,6 @@ is built.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from math import asin, atan2, cos, degrees, hypot, pi, radians, tau
 from typing import TYPE_CHECKING, Literal
@@ -17,6 +16,7 @@ from engine.table.furniture import Curve, Cushion, CushionId, Straight, Table
 from engine.table.mouth import MouthError, cut_mouth, length_of, point_along, shortened
 from engine.table.region import bounds, distance_to, ends, trace
 from engine.table.rounding import round_corner
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,7 +35,7 @@ OFF_CENTRE = 0.001
 Kind = Literal["centre", "arc", "short", "crossing", "clockwise", "narrow", "pocket"]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Corner:
     """A corner of an outline, and the cushion from here to the next corner.
 
@@ -53,7 +53,7 @@ class Corner:
     cut: PocketCut | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Fault:
     """What is wrong with an outline: at which corner, or None for the whole; and a mend."""
 

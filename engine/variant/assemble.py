@@ -6,7 +6,7 @@ shape alone cannot make. Invariant: with no new mistakes in the report, the Draf
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -25,6 +25,7 @@ from engine.variant.pinset import build_pins
 from engine.variant.rack import build_rack, check_own_spots
 from engine.variant.report import nearest
 from engine.variant.variant import Look, Setting
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from engine.variant.variant import BallKind, PinKind, Rack
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Draft:
     """A variant without its rules."""
 

@@ -7,13 +7,13 @@ Invariant: a name from a file never leads outside these folders.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
 import engine
 from engine.variant.report import nearest
 from engine.variant.source import Node, merge, read_source, read_text
+from frozen import value
 from rulelang.diagnostics import Diagnostic, render
 
 PARTS = MappingProxyType({"table": "tables", "balls": "balls", "pins": "pins", "cloth": "cloths"})
@@ -60,7 +60,7 @@ def resolve(name_or_path: str | Path) -> Path:
     raise VariantError([Diagnostic("V001", written[:80], 1, 1, message, mend)])
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Opened:
     """A joined tree, if there is one, and what was wrong on the way.
 

@@ -26,6 +26,7 @@ from engine.variant.source import dotted, read_text
 from engine.variant.spec import VariantSpec
 from engine.variant.variant import Variant
 from engine.variant.words import vocabulary_of
+from frozen import value
 from rulelang.diagnostics import ScriptError
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from rulelang.probe import Probe
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Listing:
     """A shipped variant by name, and the title that its file gives it."""
 
@@ -56,7 +57,7 @@ class _Reading:
     draft: Draft | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class _Script:
     """A rule script as text, and where those lie that it uses."""
 

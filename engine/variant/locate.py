@@ -10,7 +10,8 @@ from __future__ import annotations
 import re
 import tomllib
 from bisect import bisect_right
-from dataclasses import dataclass
+
+from frozen import value
 
 KeyPath = tuple[str | int, ...]
 """Keys from the top of a file down; an int is a place in an array."""
@@ -28,7 +29,7 @@ _QUOTED = re.compile(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Place:
     """Line and column, both from 1, of a key and of the value it names.
 

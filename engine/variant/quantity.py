@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
+
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -47,7 +48,7 @@ class QuantityError(ValueError):
         self.mend = mend
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Kind:
     """What is measured, in which units, with an example for a mend."""
 
@@ -61,7 +62,7 @@ MASS = Kind("a mass", MASSES, '"170 g", "6 oz" or a plain number of kilograms')
 ANGLE = Kind("an angle", ANGLES, '"142 deg" or a plain number of radians')
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Expression:
     """A checked text of a length that still waits for the names in it."""
 

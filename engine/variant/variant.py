@@ -5,8 +5,9 @@ Invariant: a Variant never changes after load and holds nothing that was not che
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,7 +24,7 @@ Value = bool | int | str
 """What a setting, a tracked value or a referee's fact can be."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class BallKind:
     """A ball as the game and the eye know it; its body is in the World.
 
@@ -40,7 +41,7 @@ class BallKind:
     spot: SpotId | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class PinKind:
     """A pin as the eye knows it; its body stands on the Table."""
 
@@ -48,7 +49,7 @@ class PinKind:
     colour: Colour
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Lot:
     """Places (m) that are filled by lot: one ball from each of `pools`, in random order.
 
@@ -59,7 +60,7 @@ class Lot:
     pools: tuple[tuple[BallId, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rack:
     """How balls lie at the start: fixed places, and places filled by lot, one Lot after another.
 
@@ -70,7 +71,7 @@ class Rack:
     drawn: tuple[Lot, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Setting:
     """A house rule that a script may read and a player may set.
 
@@ -85,7 +86,7 @@ class Setting:
     most: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Look:
     """The table's colours, and whether sights are let into the rails."""
 
@@ -95,7 +96,7 @@ class Look:
     sights: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Variant:
     """One game, ready to be played.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rulelang.values import value
+from frozen import value
 
 if TYPE_CHECKING:
     from rulelang.syntax.expressions import Expr

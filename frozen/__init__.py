@@ -9,12 +9,12 @@ copying and matching; `dataclasses.replace`, `fields` and `asdict` know it.
 
 from __future__ import annotations
 
-from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, dataclass_transform
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
 _Class = TypeVar("_Class")
 
@@ -35,16 +35,16 @@ def _first(cls: Any) -> Callable[..., None]:
     """Return a constructor that compiles the true one when the first value is made."""
 
     def first(self: Any, *said: Any, **named: Any) -> None:
-        cls.__init__ = _constructor(fields(cls))
+        cls.__init__ = _constructor(cls)
         cls.__init__(self, *said, **named)
 
     return first
 
 
-def _constructor(told: Iterable[Field[Any]]) -> Callable[..., None]:
+def _constructor(cls: Any) -> Callable[..., None]:
     space: dict[str, Any] = {"_set": object.__setattr__}
     heads, lines = ["self"], []
-    for one in told:
+    for one in fields(cls):
         name, said = one.name, one.name
         if one.default_factory is not MISSING:
             space[f"_make_{name}"] = one.default_factory
@@ -56,6 +56,8 @@ def _constructor(told: Iterable[Field[Any]]) -> Callable[..., None]:
         else:
             heads.append(name)
         lines.append(f" _set(self, {name!r}, {said})")
+    if hasattr(cls, "__post_init__"):
+        lines.append(" self.__post_init__()")
     code = f"def __init__({', '.join(heads)}):\n" + ("\n".join(lines) or " pass")
     exec(code, space)  # noqa: S102 - nothing but the names of the attributes is in it
     made: Callable[..., None] = space["__init__"]

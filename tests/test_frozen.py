@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[2]))
+sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from rulelang.values import value
+from frozen import value
 
 
 def classes(decorate):
@@ -95,6 +95,20 @@ def test_a_value_is_copied_replaced_and_matched():
     match one:
         case object(first=1, third=[seven]):
             assert seven == 7
+
+
+def test_a_value_may_refuse_what_it_is_made_of():
+    @value
+    class Positive:
+        number: int
+
+        def __post_init__(self):
+            if self.number < 0:
+                raise ValueError(self.number)
+
+    assert Positive(1).number == 1
+    with pytest.raises(ValueError, match="-1"):
+        Positive(-1)
 
 
 def test_each_value_has_a_list_of_its_own():
