@@ -147,6 +147,8 @@ class _Work:
         for node in script.declarations:
             if not isinstance(node, s.Header) or node.word != "uses":
                 continue
+            if len(self.diagnostics) >= MOST_TOLD:
+                break
             found = self.library(node.text)
             if found is None or len(above) > 16:
                 message = f'there is no script "{node.text}" to use'

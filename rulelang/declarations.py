@@ -37,6 +37,7 @@ class Declarations:
         self.scope.scripts = scripts
         self.tell = tell
         self.headers: dict[str, str] = {}
+        self.written: dict[str, tuple[str, Value, bool]] | None = None
         self.phase_places: list[tuple[s.Script, str, s.Span]] = []
         for script in scripts:
             self._unread(script)
@@ -164,13 +165,9 @@ class Declarations:
 
     def _guessed(self, name: str) -> tuple[str, Value, bool]:
         """Return kind and start of a tracked value by what the rules write to it."""
-        for script in self.scripts:
-            for write in _writes(script, name):
-                if isinstance(write.value, s.Flag):
-                    return k.FLAG, False, False
-                if isinstance(write.value, s.Name):
-                    return k.NAME, "none", False
-        return k.NUMBER, 0, False
+        if self.written is None:
+            self.written = _written(self.scripts)
+        return self.written.get(name, (k.NUMBER, 0, False))
 
     def _timer(self, script: s.Script, node: s.Timer) -> None:
         try:
@@ -226,10 +223,14 @@ def _line_of(script: s.Script, name: str) -> int:
     return 1
 
 
-def _writes(script: s.Script, name: str) -> list[s.Write]:
-    return [
-        node
-        for rule in script.rules
-        for node in s.walk(rule.body)
-        if isinstance(node, s.Write) and node.name == name
-    ]
+def _written(scripts: list[s.Script]) -> dict[str, tuple[str, Value, bool]]:
+    """Return kind and start of every value to which a rule writes a flag or a name."""
+    found: dict[str, tuple[str, Value, bool]] = {}
+    for script in scripts:
+        for rule in script.rules:
+            for node in s.walk(rule.body):
+                if isinstance(node, s.Write) and isinstance(node.value, s.Flag):
+                    found.setdefault(node.name, (k.FLAG, False, False))
+                elif isinstance(node, s.Write) and isinstance(node.value, s.Name):
+                    found.setdefault(node.name, (k.NAME, "none", False))
+    return found

@@ -41,7 +41,7 @@ class Report:
         self, code: str, path: KeyPath, message: str, mend: str = "", *, on_key: bool = False
     ) -> None:
         """Add a mistake at `path`, which may lead deeper than the tree does."""
-        if len(self.diagnostics) >= MOST_TOLD:
+        if self.is_full:
             return
         one = self.root.diagnostic(code, path, message, mend, on_key=on_key)
         same = (one.code, one.file, one.line, one.column, one.message)
@@ -51,12 +51,20 @@ class Report:
 
     def unknown(self, code: str, path: KeyPath, what: str, name: str, known: Iterable[str]) -> None:
         """Add "there is no `what` called `name`" with the nearest of the known names."""
-        self.add(code, path, f"there is no {what} called `{name}`", nearest(name, known))
+        if not self.is_full:
+            self.add(code, path, f"there is no {what} called `{name}`", nearest(name, known))
+
+    @property
+    def is_full(self) -> bool:
+        """Whether as many mistakes were found as are told."""
+        return len(self.diagnostics) >= MOST_TOLD
 
     def add_shape_errors(self, error: ValidationError, broken: Collection[str]) -> None:
         """Add every mistake of shape that was found, save what is missing in a `broken` part."""
         missing: dict[KeyPath, list[str]] = {}
         for one in error.errors(include_url=False):
+            if self.is_full:
+                return
             if one["type"] != "missing":
                 self._add_shape_error(one)
             elif one["loc"][0] not in broken:

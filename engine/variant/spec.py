@@ -187,7 +187,7 @@ class Pattern(Shape):
 
     apex: Point
     rows: Annotated[list[str], Bounds(min_length=1, max_length=20)]
-    balls: list[str]
+    balls: Annotated[list[str], MANY]
     lots: Annotated[dict[Name, list[str]], MANY] = empty(dict)
     gap: Gap = 0.0
     by_lot: bool = True
