@@ -1,6 +1,7 @@
 """The command line: answers, exit statuses, and errors that show a way out."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +10,8 @@ import pytest
 from click.testing import CliRunner
 
 from engine.__main__ import main
+from rulelang.parse import GRAMMAR
+from rulelang.tables import kept_tables
 
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "golden"
@@ -114,18 +117,25 @@ def test_render_draws_without_a_window(tmp_path):
     ("words", "heavy"),
     [
         (("--help",), {"numba", "pygame", "numpy", "pydantic", "lark"}),
-        (("list",), {"numba", "pygame"}),
-        (("check", "snooker"), {"numba", "pygame"}),
+        (("list",), {"numba", "pygame", "numpy", "pydantic", "lark"}),
+        (("check", "snooker"), {"numba", "pygame", "numpy", "pydantic", "lark", "tomlkit", "PIL"}),
         (("golden", str(GOLDEN / "eight_ball")), {"numba", "pygame"}),
     ],
 )
-def test_commands_that_move_no_ball_stay_light(words, heavy):
+def test_commands_that_move_no_ball_stay_light(words, heavy, tmp_path):
     code = (
         "import sys\nfrom engine.__main__ import main\n"
         f"try:\n    main({list(words)!r})\nexcept SystemExit as end:\n    assert not end.code\n"
         f"print(sorted(set(sys.modules) & {heavy!r}))"
     )
+    around = {**os.environ, "XDG_CACHE_HOME": str(tmp_path)}
+    kept_tables(GRAMMAR, tmp_path / "headstring")
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        check=True,
+        env=around,
     )
     assert done.stdout.splitlines()[-1] == "[]"
