@@ -26,7 +26,7 @@ from engine.render.spheres import UnitSpheres
 from engine.render.strokes import NO_DEPTH, Strokes
 from engine.render.surroundings import Backdrop, discs_of, lamps_of
 from engine.render.view import view_of
-from engine.render.warm import tiny_scene
+from engine.render.warm import draw_tiny
 from engine.render.work import Work, make_work
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class Painter:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
         if progress:
             progress("painter", 0.1)
-        self.render(tiny_scene(), np.zeros((16, 16), np.uint32))
+        draw_tiny(self)
         if progress:
             progress("painter", 1.0)
 

@@ -24,7 +24,7 @@ from engine.render.spheres import UnitSpheres, no_spheres, sphere_pack
 from engine.render.strokes import Strokes
 from engine.render.surroundings import Backdrop, discs_of, lamps_of
 from engine.render.view import View, view_of
-from engine.render.warm import tiny_scene
+from engine.render.warm import draw_tiny
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -59,10 +59,9 @@ class Scanline:
 
     def warm_up(self, progress: Callable[[str, float], None] | None = None) -> None:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
-        scene, picture = tiny_scene(), np.zeros((16, 16), np.uint32)
         if progress:
             progress("scanline", 0.1)
-        self.render(scene, picture)
+        draw_tiny(self)
         if progress:
             progress("scanline", 1.0)
 

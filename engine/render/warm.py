@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from engine.scene.camera import Camera
 from engine.scene.scene import GameObject, Light, Scene
 from engine.scene.shape import Disc, Polyline, Skin, Sphere, make_mesh
+
+if TYPE_CHECKING:
+    from engine.render.renderer import Renderer
+
+
+def draw_tiny(renderer: Renderer) -> None:
+    """Draw a tiny scene until the renderer keeps what never moves and draws over it."""
+    scene, picture = tiny_scene(), np.zeros((16, 16), np.uint32)
+    for _ in range(3):
+        renderer.render(scene, picture)
 
 
 def tiny_scene() -> Scene:

@@ -20,7 +20,7 @@ from engine.render.packer import Packer
 from engine.render.spheres import UnitSpheres
 from engine.render.strokes import Strokes
 from engine.render.view import view_of
-from engine.render.warm import tiny_scene
+from engine.render.warm import draw_tiny
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -51,7 +51,7 @@ class Wireframe:
         """Compile or load the kernels; `progress` hears what is done and the share of it."""
         if progress:
             progress("wireframe", 0.1)
-        self.render(tiny_scene(), np.zeros((16, 16), np.uint32))
+        draw_tiny(self)
         if progress:
             progress("wireframe", 1.0)
 
