@@ -19,6 +19,7 @@ from rulelang.diagnostics import Diagnostic, ScriptError
 from rulelang.meaning import check_meaning
 from rulelang.parse import MOST_TOLD, parse
 from rulelang.program import (
+    ANNOUNCED,
     CONSEQUENCE,
     SECTIONS,
     STAGE,
@@ -293,11 +294,13 @@ class _Work:
     ) -> Program:
         """Put the parts together."""
         sections: dict[str, list[CompiledRule]] = {name: [] for name in SECTIONS}
-        sections["late fouls"] = []
-        for compiled in with_overrides(rules):
+        sections["late fouls"], sections[ANNOUNCED] = [], []
+        for compiled, (_, rule, _, _) in zip(with_overrides(rules), rules, strict=True):
             name = compiled.info.section
             name = "late fouls" if compiled.late and name == "fouls" else name
             sections.setdefault(name, []).append(compiled)
+            if name == "before shot" and (self.probe is not None or _announces(rule.body)):
+                sections[ANNOUNCED].append(compiled)
         fouls: dict[str, tuple[str, ...]] = {}
         for _, rule, _, _ in rules:
             for name in fouls_of(rule.body):
@@ -317,7 +320,7 @@ class _Work:
             rules=tuple(compiled.info for _, _, compiled, _ in rules),
             settled_within=float(declarations.header("settled") or 0),
             vocabulary=self.vocabulary,
-            compiled={name: tuple(found) for name, found in sections.items()},
+            compiled={name: tuple(found) for name, found in sections.items() if name != ANNOUNCED},
             by_phase=_by_phase(sections, scope.phases),
             consequences=tuple(self.consequences),
             bits=dict(scope.bits),
@@ -371,6 +374,11 @@ def fouls_of(body: tuple[Any, ...]) -> list[str]:
 def _ends(body: tuple[Any, ...]) -> bool:
     """Tell whether a body may end something."""
     return any(isinstance(node, s.Win) for node in s.walk(body))
+
+
+def _announces(body: tuple[Any, ...]) -> bool:
+    """Tell whether a body may offer something, or let balls be struck."""
+    return any(isinstance(node, s.OfferChoices | s.AllowStrike) for node in s.walk(body))
 
 
 def _plain(run: Any) -> Any:

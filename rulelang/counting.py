@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.account import POCKETED
 from rulelang.chance import lots
 from rulelang.closures import joined, singles
 from rulelang.code import Code, Mistake
-from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
     from collections.abc import Callable

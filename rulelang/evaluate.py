@@ -15,7 +15,7 @@ from rulelang.ends import starting
 from rulelang.firing import fire, override, rules_of
 from rulelang.judging import judge_shot
 from rulelang.moment import cue_ball_of, homes_of, look, start_of
-from rulelang.program import CONSEQUENCE
+from rulelang.program import ANNOUNCED, CONSEQUENCE
 from rulelang.settle import (
     RuleClash,
     decide_in_hand,
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from rulelang.program import Program
     from rulelang.vocabulary import Tracked
 
-__all__ = ["Admission", "OutOfFuel", "RuleClash", "admit", "choose", "judge", "start"]
+__all__ = ["Admission", "OutOfFuel", "RuleClash", "admit", "announces", "choose", "judge", "start"]
 
 
 def start(program: Program, situation: Situation) -> Decisions:
@@ -78,6 +78,12 @@ def admit(program: Program, situation: Situation, call: Call | None = None) -> A
                 struck |= d[1]
     strikable = frozenset(program.names[bit] for bit in singles(struck & c.on_before))
     return Admission(required, offers_of(fired), on, strikable)
+
+
+def announces(program: Program, phase: str) -> bool:
+    """Tell whether `admit` may offer anything in a phase, or let other balls be struck."""
+    found = program.by_phase.get(ANNOUNCED, {}).get(phase)
+    return found is None or bool(found)
 
 
 def judge(program: Program, situation: Situation, shot: Shot, *, explain: bool = True) -> Decisions:

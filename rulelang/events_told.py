@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from frozen import value
-from rulelang import watch as w
+from rulelang import account as w
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:

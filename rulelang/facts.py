@@ -15,6 +15,9 @@ from typing import TYPE_CHECKING
 from frozen import value
 
 if TYPE_CHECKING:
+    from collections.abc import Set as AbstractSet
+
+    from rulelang.account import Account
     from rulelang.decisions import TableAction
     from rulelang.events import Event
     from rulelang.vocabulary import Tracked, Value
@@ -44,8 +47,8 @@ class Situation:
     state: Mapping[str, Tracked]
     settings: Mapping[str, Value] = field(default_factory=lambda: Nothing)
     in_hand: str | None = None
-    zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
-    frozen: frozenset[tuple[str, str]] = frozenset()
+    zones: Mapping[str, AbstractSet[str]] = field(default_factory=dict)
+    frozen: AbstractSet[tuple[str, str]] = frozenset()
     fallen: frozenset[str] = frozenset()
     options: tuple[str, ...] = ()
     breaker: int = 1
@@ -69,8 +72,8 @@ class Call:
 class Rest:
     """The table at rest, before the referee touches a ball; `spots` says who covers a spot."""
 
-    zones: Mapping[str, frozenset[str]] = field(default_factory=dict)
-    frozen: frozenset[tuple[str, str]] = frozenset()
+    zones: Mapping[str, AbstractSet[str]] = field(default_factory=dict)
+    frozen: AbstractSet[tuple[str, str]] = frozenset()
     spots: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -83,7 +86,8 @@ class Shot:
     predicate's name a function of the set of balls it is asked on, of the table actions decided
     so far, and of the zone that a cue ball off the bed is played from; None where the positions
     are not known. `placed` says in which zones the
-    ball in hand was put, None where that is not known.
+    ball in hand was put, None where that is not known. `account` are the events sorted, where
+    the host has already done so.
     """
 
     struck: str
@@ -92,5 +96,6 @@ class Shot:
     chosen: str | None = None
     facts: Mapping[str, Value] = field(default_factory=lambda: Nothing)
     predicates: Mapping[str, Predicate] = field(default_factory=dict)
-    placed: frozenset[str] | None = None
+    placed: AbstractSet[str] | None = None
     rest: Rest = Rest()
+    account: Account | None = field(default=None, compare=False, repr=False)

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rulelang import account as w
 from rulelang import code as k
 from rulelang import events_told as t
 from rulelang import syntax as s
-from rulelang import watch as w
 from rulelang.code import Code, Mistake
-from rulelang.watch import BEGIN, END
+from rulelang.watch import BEGIN, END, lie_in, stayed_together, touching
 
 if TYPE_CHECKING:
     from rulelang.events_told import Telling
@@ -106,7 +106,7 @@ class Happenings:
         if word == "started in":
             zone = self.x.scope.place("zone", verb.place or "", verb.at)
             return t.Telling(
-                lambda c, who, _lo, _hi: who & w.lie_in(c, zone, start=True),
+                lambda c, who, _lo, _hi: who & lie_in(c, zone, start=True),
                 lambda _c, _who, _lo, _hi: [],
             ), ()
         if word == "stayed together in":
@@ -118,7 +118,7 @@ class Happenings:
         zones = self.x.scope.zones(verb.place or "", verb.at)
         self.x.scope.asks.update(zones)
         return t.Telling(
-            lambda c, who, _lo, _hi: w.stayed_together(c, who, zones),
+            lambda c, who, _lo, _hi: stayed_together(c, who, zones),
             lambda _c, _who, _lo, _hi: [],
         ), ()
 
@@ -165,7 +165,7 @@ class Happenings:
         balls = self.x.want(target, k.BALLS)
         run, start = balls.run, self.x.frozen
         return t.Telling(
-            lambda c, who, _lo, _hi: who & w.touching(c, run(c), start=start),
+            lambda c, who, _lo, _hi: who & touching(c, run(c), start=start),
             lambda _c, _who, _lo, _hi: [],
         ), (balls,)
 

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.account import POCKETED
 from rulelang.chance import draw
 from rulelang.closures import derive, joined, leader, opponent, singles
 from rulelang.code import Code
 from rulelang.ends import loser, winner
 from rulelang.events_told import fits_set
 from rulelang.program import CONSEQUENCE, STAGE
-from rulelang.watch import POCKETED
 
 if TYPE_CHECKING:
     from rulelang.expressions import Expressions

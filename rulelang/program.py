@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 SECTIONS = ("before shot", "fouls", "points", "turn", "table", "next shot", "ending")
 STAGE = {name: number for number, name in enumerate(SECTIONS)}
 CONSEQUENCE = len(SECTIONS)
+ANNOUNCED = "announced"
+"""Where those rules of `before shot:` stand once more that may offer, or let balls be struck."""
 
 
 @value

@@ -1,114 +1,86 @@
 """The table at rest after a stroke, before the referee touches a ball.
 
-One idea: what positions tell is read off them; without positions, a ball that no event names
-lies as before, and zones follow the events that enter and leave them.
+One idea: a ball whose place was told lies there; one that no event names lies as before; and of
+any other it is known only what events say. Zones and contacts that places show are not kept here.
 """
 
 from __future__ import annotations
 
-from dataclasses import fields
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import frozen_pairs
-from engine.game.situation import Rest, Situation, zones_of
+from engine.game.contacts import ZonesAt
+from engine.game.situation import Rest
 from engine.table.furniture import BallId, PinId, ZoneId
-from rulelang.events import (
-    Event,
-    LeftTable,
-    PinLeaned,
-    PinToppled,
-    Pocketed,
-    Rebounded,
-    Settled,
-    ZoneEntered,
-    ZoneLeft,
-)
+from rulelang.account import ENTERED, FELL, LEANED, LEFT_ZONE
+from rulelang.closures import singles
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
+    from collections.abc import Set as AbstractSet
 
     from engine.game.shot import Shot
-    from engine.table.furniture import Point, SpotId
+    from engine.game.situation import Situation
+    from engine.table.furniture import Point
     from engine.variant.variant import Variant
+    from rulelang.account import Account
 
-NAMES_OF_BALLS = frozenset({"ball", "other", "others", "bodies", "body"})
-
-
-def fallen(events: Iterable[Event], settled_within: float) -> frozenset[BallId]:
-    """Return the balls that a stroke's events took off the bed."""
-    down: set[BallId] = set()
-    for event in events:
-        match event:
-            case Pocketed(ball) | LeftTable(ball):
-                down.add(BallId(ball))
-            case Settled(ball, _, delay) if delay <= settled_within:
-                down.add(BallId(ball))
-            case Rebounded(ball):
-                down.discard(BallId(ball))
-            case _:
-                pass
-    return frozenset(down)
+NOBODY: frozenset[BallId] = frozenset()
 
 
-def pins_down(events: Iterable[Event]) -> frozenset[PinId]:
-    """Return the pins that a stroke's events made fall, those that lean on a ball too."""
-    return frozenset(
-        PinId(event.pin) for event in events if isinstance(event, PinToppled | PinLeaned)
-    )
+def balls_in(variant: Variant, mask: int) -> frozenset[BallId]:
+    """Return the balls of a set that the rules hold as bits."""
+    names = variant.program.names
+    return frozenset(BallId(names[bit]) for bit in singles(mask)) if mask else NOBODY
 
 
-def moved(events: Iterable[Event]) -> frozenset[BallId]:
-    """Return every ball that an event names."""
-    found: set[BallId] = set()
-    for event in events:
-        for one in fields(event):
-            if one.name in NAMES_OF_BALLS:
-                value = getattr(event, one.name)
-                found.update(value if isinstance(value, tuple) else (value,))
-    return frozenset(found)
-
-
-def rest_after(variant: Variant, before: Situation, shot: Shot, down: frozenset[BallId]) -> Rest:
+def rest_after(
+    variant: Variant, before: Situation, shot: Shot, account: Account, down: frozenset[BallId]
+) -> Rest:
     """Return what is known of the balls at rest after the shot, `down` being off the bed."""
-    events = shot.events or ()
-    stirred = moved(events) | down
-    told = shot.after
-    positions = {**_unmoved(before.rest.positions, stirred), **told.positions}
-    positions = {ball: at for ball, at in positions.items() if ball not in down}
-    zones = _zones_by_events(before.rest.zones, events, down)
-    zones.update({ball: zones_of(variant.world.table, at) for ball, at in positions.items()})
-    still = frozenset(pair for pair in before.rest.frozen if not stirred & set(pair))
-    kept = frozenset() if told.positions else still
+    was, told = before.rest, shot.after
+    stirred = down
+    if was.positions or was.frozen or was.covered:
+        stirred = down | balls_in(variant, account.named)
+    positions = {ball: at for ball, at in was.positions.items() if ball not in stirred}
+    positions.update(told.positions)
+    for ball in down & positions.keys():
+        del positions[ball]
+    kept = frozenset(pair for pair in was.frozen if stirred.isdisjoint(pair))
+    covered = {spot: ball for spot, ball in was.covered.items() if ball not in stirred}
     return Rest(
-        positions=positions,
-        zones={**zones, **told.zones},
-        frozen=told.frozen | kept | frozen_pairs(variant.world, positions),
-        covered={**_unmoved_covers(before, stirred), **told.covered},
-        fallen=before.rest.fallen | pins_down(events),
+        positions,
+        _zones(variant, was, positions, account, down),
+        told.frozen if told.positions else told.frozen | kept,
+        {**covered, **told.covered},
+        was.fallen | _pins_down(variant, account),
     )
 
 
-def _unmoved(known: Mapping[BallId, Point], stirred: frozenset[BallId]) -> dict[BallId, Point]:
-    return {ball: at for ball, at in known.items() if ball not in stirred}
+def _zones(
+    variant: Variant,
+    was: Rest,
+    positions: Mapping[BallId, Point],
+    account: Account,
+    down: frozenset[BallId],
+) -> Mapping[BallId, AbstractSet[ZoneId]]:
+    """Return the zones of balls whose places are not known now: as before, and as events say."""
+    table, names = variant.world.table, variant.program.names
+    zones = dict(was.zones)
+    zones.update(
+        (ball, ZonesAt(table, was.positions[ball])) for ball in was.positions.keys() - positions
+    )
+    moves = [(number, bit, zone, True) for number, bit, zone in account.ev[ENTERED]]
+    moves += [(number, bit, zone, False) for number, bit, zone in account.ev[LEFT_ZONE]]
+    for _, bit, zone, entered in sorted(moves):
+        ball, there = BallId(names[bit]), frozenset({ZoneId(zone)})
+        standing = zones.get(ball, frozenset())
+        zones[ball] = standing | there if entered else standing - there
+    for ball in (positions.keys() | down) & zones.keys():
+        del zones[ball]
+    return zones
 
 
-def _unmoved_covers(before: Situation, stirred: frozenset[BallId]) -> dict[SpotId, BallId]:
-    covered = before.rest.covered.items()
-    return {spot: ball for spot, ball in covered if ball not in stirred}
-
-
-def _zones_by_events(
-    before: Mapping[BallId, frozenset[ZoneId]], events: Iterable[Event], down: frozenset[BallId]
-) -> dict[BallId, frozenset[ZoneId]]:
-    zones = dict(before)
-    for event in events:
-        match event:
-            case ZoneEntered(ball, zone):
-                standing = zones.get(BallId(ball), frozenset())
-                zones[BallId(ball)] = standing | {ZoneId(zone)}
-            case ZoneLeft(ball, zone):
-                standing = zones.get(BallId(ball), frozenset())
-                zones[BallId(ball)] = standing - {ZoneId(zone)}
-            case _:
-                pass
-    return {ball: standing for ball, standing in zones.items() if ball not in down}
+def _pins_down(variant: Variant, account: Account) -> frozenset[PinId]:
+    """Return the pins that a stroke made fall, those that lean on a ball too."""
+    mask = account.seen[FELL] | account.seen[LEANED]
+    return frozenset(PinId(name) for name in balls_in(variant, mask))

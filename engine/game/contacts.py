@@ -1,27 +1,134 @@
-"""Who touches whom at rest: balls, and balls and cushions, read off positions.
+"""What positions tell of balls at rest: who touches whom, and who lies in which zone.
 
-One idea: closer than a fixed small distance is frozen. Contacts that were declared are kept.
+One idea: it is read off the positions when somebody asks, and of one thing asked about no more is
+worked out. Closer than a fixed small distance is touching. What was told beside positions is kept.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from collections.abc import Set as AbstractSet
 from itertools import combinations
 from math import hypot, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-from engine.game.situation import TOUCHING, Pair
+from engine.game.situation import TOUCHING, Pair, Rest
+from engine.table.furniture import BallId, ZoneId
+from engine.table.marks import contains
 from engine.table.region import distance_to
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from engine.physics.world import World
-    from engine.table.furniture import BallId, CushionId, Point
+    from engine.table.furniture import CushionId, Point, Table
+
+K = TypeVar("K")
+V = TypeVar("V")
 
 
-def frozen_pairs(world: World, positions: Mapping[BallId, Point]) -> frozenset[Pair]:
-    """Return every contact that the positions (m) show, balls in the order of the world."""
-    return frozenset((*_balls(world, positions), *_cushions(world, positions)))
+class Later(Mapping[K, V]):
+    """A mapping that is made when it is first read."""
+
+    __slots__ = ("_made", "_make")
+
+    def __init__(self, make: Callable[[], Mapping[K, V]]) -> None:
+        self._make = make
+        self._made: Mapping[K, V] | None = None
+
+    def _all(self) -> Mapping[K, V]:
+        if self._made is None:
+            self._made = self._make()
+        return self._made
+
+    def __getitem__(self, key: K) -> V:
+        return self._all()[key]
+
+    def __iter__(self) -> Iterator[K]:
+        return iter(self._all())
+
+    def __len__(self) -> int:
+        return len(self._all())
+
+
+class ZonesAt(AbstractSet[ZoneId]):
+    """The zones of a table that hold a point (m)."""
+
+    __slots__ = ("_point", "_table")
+
+    def __init__(self, table: Table, point: Point) -> None:
+        self._table = table
+        self._point = point
+
+    @classmethod
+    def _from_iterable(cls, found: Iterator[ZoneId]) -> frozenset[ZoneId]:  # type: ignore[override]
+        return frozenset(found)
+
+    def __contains__(self, zone: object) -> bool:
+        area = self._table.zones.get(zone)  # type: ignore[call-overload]
+        return area is not None and contains(area, self._point, self._table)
+
+    def __iter__(self) -> Iterator[ZoneId]:
+        return (zone for zone in self._table.zones if zone in self)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+class Contacts(AbstractSet[Pair]):
+    """Every contact of balls at rest: those told, and those that positions (m) show.
+
+    Two balls stand in the order of the world.
+    """
+
+    __slots__ = ("_all", "_positions", "_told", "_world")
+
+    def __init__(
+        self, world: World, positions: Mapping[BallId, Point], told: AbstractSet[Pair] = frozenset()
+    ) -> None:
+        self._world = world
+        self._positions = positions
+        self._told = told
+        self._all: frozenset[Pair] | None = None
+
+    @classmethod
+    def _from_iterable(cls, found: Iterator[Pair]) -> frozenset[Pair]:  # type: ignore[override]
+        return frozenset(found)
+
+    def _found(self) -> frozenset[Pair]:
+        if self._all is None:
+            self._all = frozenset((*self._told, *_shown(self._world, self._positions)))
+        return self._all
+
+    def __contains__(self, pair: object) -> bool:
+        return pair in self._found()
+
+    def __iter__(self) -> Iterator[Pair]:
+        return iter(self._found())
+
+    def __len__(self) -> int:
+        return len(self._found())
+
+    def __bool__(self) -> bool:
+        return bool(self._told or self._positions)
+
+
+def contacts_of(world: World, rest: Rest) -> AbstractSet[Pair]:
+    """Return who touches whom: what was told, and what positions show."""
+    return Contacts(world, rest.positions, rest.frozen) if rest.positions else rest.frozen
+
+
+def zones_by_ball(table: Table, rest: Rest) -> Mapping[BallId, AbstractSet[ZoneId]]:
+    """Return the zones that balls stand in: by their places where those are known, else as told."""
+    told, at = rest.zones, rest.positions
+    return (
+        Later(lambda: {**told, **{ball: ZonesAt(table, at[ball]) for ball in at}}) if at else told
+    )
+
+
+def _shown(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]:
+    yield from _balls(world, positions)
+    yield from _cushions(world, positions)
 
 
 def _balls(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]:

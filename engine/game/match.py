@@ -10,8 +10,9 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from engine.game.referee import announce, judge_shot, on_the_bed, take_in_hand
-from engine.game.situation import Rest, Situation, as_rules_see, cue_ball_of, empty
+from engine.game.situation import Rest, Situation, cue_ball_of, empty
 from engine.game.spotting import Board, carry_out, place_ball
+from engine.game.telling import as_rules_see
 from engine.table.furniture import BallId, ZoneId
 from engine.variant.rack import lay_rack
 from rulelang.evaluate import start
@@ -172,7 +173,7 @@ def start_state(variant: Variant, players: int, breaker: int = 1) -> dict[str, T
 
 def _open(variant: Variant, situation: Situation) -> Situation:
     """Return the situation after what the script does, and offers, at the start of a game."""
-    decided = start(variant.program, as_rules_see(situation))
+    decided = start(variant.program, as_rules_see(variant, situation))
     given = decided.in_hand
     zone = None if given is None or given.zone is None else ZoneId(given.zone)
     points = decided.points or (0,) * situation.players

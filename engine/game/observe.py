@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import as_cushion, nose_reach
+from engine.game.contacts import as_cushion, contacts_of, nose_reach
 from engine.game.shot import Shot, as_written
 from engine.game.situation import TOUCHING, Rest, Situation, ball_to_strike, cue_ball_of
 from engine.physics import events as seen
@@ -140,9 +140,10 @@ def pieces_of(trace: Trace, ball: BallId) -> tuple[Piece, ...]:
 def _leavings(world: World, situation: Situation, trace: Trace) -> Iterator[told.Event]:
     """Yield when a ball that was frozen to a cushion comes clear of it."""
     radii = {ball.id: ball.radius for ball in trace.balls}
+    frozen = contacts_of(world, situation.rest)
     for cushion in world.table.cushions:
         for ball in sorted(radii):
-            if (ball, as_cushion(cushion.id)) in situation.rest.frozen:
+            if (ball, as_cushion(cushion.id)) in frozen:
                 clear = nose_reach(radii[ball], world.table.nose_height) + TOUCHING
                 time = _first_clear(cushion, pieces_of(trace, ball), clear)
                 if time is not None:

@@ -45,6 +45,8 @@ def predicates_of(
     def snookering(
         targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
     ) -> Value | None:
+        if not (done or after.positions):
+            return None
         struck = shot.struck or ball_to_strike(variant, before)
         board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
         views = list(_views(variant, board, struck, zone))

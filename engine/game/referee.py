@@ -9,41 +9,36 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from engine.game.aftermath import fallen, rest_after
-from engine.game.predicates import predicates_of
-from engine.game.situation import (
-    Judged,
-    Situation,
-    as_rules_see,
-    ball_to_strike,
-    cue_ball_of,
-    zones_of,
-)
-from engine.game.spotting import Board, carry_out, covers, lift, place_ball, starting_place
+from engine.game.aftermath import balls_in, rest_after
+from engine.game.situation import Judged, Situation, ball_to_strike, cue_ball_of
+from engine.game.spotting import Board, carry_out, lift, place_ball, starting_place
+from engine.game.telling import as_rules_hear, as_rules_see
 from engine.game.verdict import Verdict
 from engine.table.furniture import BallId, ZoneId
-from rulelang import facts as said
-from rulelang.evaluate import Admission, admit, choose, judge
-from rulelang.events import StrokeOmitted
+from rulelang.account import OMITTED, account_of
+from rulelang.evaluate import Admission, admit, announces, choose, judge
 
 if TYPE_CHECKING:
     from engine.game.shot import Shot
-    from engine.game.situation import Rest
     from engine.variant.variant import Variant
+    from rulelang import facts as said
     from rulelang.decisions import Decisions, Offer
+    from rulelang.events import Event
 
 PLAY = "play"
 
 
 def look_ahead(variant: Variant, situation: Situation, call: said.Call | None = None) -> Admission:
     """Return what must be called, what may be chosen and what is on before the next shot."""
-    return admit(variant.program, as_rules_see(situation), call)
+    return admit(variant.program, as_rules_see(variant, situation), call)
 
 
 def judge_shot(
     variant: Variant, situation: Situation, shot: Shot, *, explain: bool = True
 ) -> Verdict:
     """Return the verdict on a shot whose events are known, or that is only a choice."""
+    if not situation.offers and not shot.is_only_choice:
+        return _judge_stroke(variant, situation, shot, explain=explain)
     chosen = take_choice(variant, situation, shot, explain=explain)
     if shot.is_only_choice or chosen.after.over:
         return chosen
@@ -73,7 +68,7 @@ def take_choice(
     last = situation.judged
     decided = choose(
         variant.program,
-        as_rules_see(situation),
+        as_rules_see(variant, situation),
         taken.option,
         taken.key if taken.key >= 0 else None,
         last.situation if last else None,
@@ -88,10 +83,10 @@ def take_choice(
         last.before if last else situation,
     )
     in_hand = None if board.restored else situation.in_hand
-    after = _follow(variant, after, decided, board, in_hand)
+    after = _follow(variant, after, decided, board, in_hand, situation.judged)
     if board.restored and last:
         after = _as_before(variant, after, last.before, decided)
-    return _verdict(decided, board, _chosen_once(after, taken), explain=explain)
+    return _verdict(decided, board, _chosen_once(after, taken), (), explain=explain)
 
 
 def _chosen_once(after: Situation, taken: Offer) -> Situation:
@@ -105,42 +100,31 @@ def _chosen_once(after: Situation, taken: Offer) -> Situation:
 
 
 def _judge_stroke(variant: Variant, situation: Situation, shot: Shot, *, explain: bool) -> Verdict:
-    before = replace(situation, offers=())
-    events = shot.events or ()
-    down = fallen(events, variant.program.settled_within)
-    rest = rest_after(variant, before, shot, down)
-    seen, told = as_rules_see(before), _as_rules_hear(variant, before, shot, rest)
-    decided = judge(variant.program, seen, told, explain=explain)
+    before = _forget(situation)
+    program, events = variant.program, shot.events or ()
+    struck = shot.struck or ball_to_strike(variant, before)
+    seen = as_rules_see(variant, before)
+    account = account_of(program.bits, struck, seen.frozen, events, program.settled_within)
+    down = balls_in(variant, account.down)
+    rest = rest_after(variant, before, shot, account, down)
+    told = as_rules_hear(variant, before, shot, struck, account, rest)
+    decided = judge(program, seen, told, explain=explain)
     board = Board(rest, before.on_table - down)
     board = carry_out(variant, board, decided.table, decided.homes, before)
-    unplayed = any(isinstance(event, StrokeOmitted) for event in events)
-    after = _follow(variant, before, decided, board, before.in_hand if unplayed else None)
-    after = replace(after, judged=Judged(seen, told, _forget(before)))
-    verdict = _verdict(decided, board, after, explain=explain)
-    return replace(verdict, events=events)
-
-
-def _as_rules_hear(variant: Variant, before: Situation, shot: Shot, after: Rest) -> said.Shot:
-    placed = shot.placement
-    return said.Shot(
-        struck=shot.struck or ball_to_strike(variant, before),
-        events=shot.events or (),
-        call=shot.call,
-        chosen=shot.choice,
-        facts=shot.facts,
-        predicates=predicates_of(variant, before, shot, after),
-        rest=said.Rest(
-            {ball: frozenset(zones) for ball, zones in after.zones.items()},
-            after.frozen,
-            covers(variant, after),
-        ),
-        placed=None if placed is None else zones_of(variant.world.table, placed),
-    )
+    in_hand = before.in_hand if account.seen[OMITTED] else None
+    judged = Judged(seen, told, before)
+    after = _follow(variant, before, decided, board, in_hand, judged)
+    return _verdict(decided, board, after, events, explain=explain)
 
 
 def _forget(situation: Situation) -> Situation:
-    """Return the situation without the shot judged before it, so that history stays short."""
-    return replace(situation, judged=None)
+    """Return the situation without offers, and without the shot judged before it.
+
+    So history stays short.
+    """
+    if not situation.offers and situation.judged is None:
+        return situation
+    return replace(situation, offers=(), judged=None)
 
 
 def _follow(
@@ -149,29 +133,43 @@ def _follow(
     decided: Decisions,
     board: Board,
     in_hand: ZoneId | None,
+    judged: Judged | None,
 ) -> Situation:
     """Return the situation that decisions make; `in_hand` holds where they do not speak of it."""
     shooter = decided.offers[0].player if decided.offers else decided.next_player
-    scores = tuple(map(sum, zip(before.scores, decided.points, strict=False)))
-    given = decided.in_hand
+    given, over = decided.in_hand, decided.endings
     if given is not None:
         in_hand = None if given.zone is None else ZoneId(given.zone)
-    after = replace(
-        before,
-        shooter=shooter,
-        phase=decided.phase,
-        scores=scores or before.scores,
-        on_table=board.on_table,
-        state=dict(decided.state),
-        rest=board.rest,
-        offers=decided.offers,
-        eliminated=decided.eliminated,
-        shots=before.shots + 1,
+    on_table, rest, cue = board.on_table, board.rest, cue_ball_of(variant, shooter)
+    if in_hand is not None:
+        on_table, rest = on_table | {cue}, lift(rest, frozenset({cue}))
+    after = Situation(
+        before.players,
+        shooter,
+        decided.phase,
+        tuple(map(sum, zip(before.scores, decided.points, strict=False))) or before.scores,
+        on_table,
+        decided.state,
+        before.settings,
+        rest,
+        None if over else in_hand,
+        () if over else decided.offers,
+        before.breaker,
+        decided.eliminated,
+        before.seed,
+        before.shots + 1,
+        before.games,
+        before.won_last,
+        over[0].winner if over else before.winner,
+        any(one.unit == "match" for one in over) if over else before.match_over,
+        judged,
+        before.strikable if over else frozenset(),
     )
-    after = take_in_hand(variant, after, in_hand)
-    if not decided.endings and cue_ball_of(variant, shooter) not in after.on_table:
-        after = after if look_ahead(variant, after).strikable else on_the_bed(variant, after)
-    return _end(after, decided) if decided.endings else announce(variant, after)
+    if over:
+        return after
+    if cue not in on_table and not look_ahead(variant, after).strikable:
+        after = on_the_bed(variant, after)
+    return announce(variant, after)
 
 
 def take_in_hand(variant: Variant, situation: Situation, zone: ZoneId | None) -> Situation:
@@ -199,19 +197,10 @@ def on_the_bed(variant: Variant, situation: Situation) -> Situation:
     return replace(situation, rest=rest, on_table=situation.on_table | {ball})
 
 
-def _end(after: Situation, decided: Decisions) -> Situation:
-    over = decided.endings[0]
-    return replace(
-        after,
-        winner=over.winner,
-        match_over=any(one.unit == "match" for one in decided.endings),
-        offers=(),
-        in_hand=None,
-    )
-
-
 def announce(variant: Variant, after: Situation) -> Situation:
     """Return the situation with what the script offers, and lets strike, before the next shot."""
+    if not after.strikable and not announces(variant.program, after.phase):
+        return after
     ahead = look_ahead(variant, after)
     strikable = frozenset(map(BallId, ahead.strikable))
     return replace(after, offers=after.offers or ahead.offers, strikable=strikable)
@@ -235,14 +224,16 @@ def _nothing_said(after: Situation) -> Verdict:
     return Verdict((), (0,) * after.players, (), (), 0, (), (), after)
 
 
-def _verdict(decided: Decisions, board: Board, after: Situation, *, explain: bool) -> Verdict:
+def _verdict(
+    decided: Decisions, board: Board, after: Situation, events: tuple[Event, ...], *, explain: bool
+) -> Verdict:
     return Verdict(
-        fouls=decided.fouls,
-        points=decided.points or (0,) * after.players,
-        spotted=board.spotted,
-        removed=board.removed,
-        reracked=board.reracked,
-        explanation=decided.explanation if explain else (),
-        events=(),
-        after=after,
+        decided.fouls,
+        decided.points or (0,) * after.players,
+        board.spotted,
+        board.removed,
+        board.reracked,
+        decided.explanation if explain else (),
+        events,
+        after,
     )

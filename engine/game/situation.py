@@ -11,14 +11,15 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-import rulelang.facts as said
 from engine.table.marks import contains
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from collections.abc import Set as AbstractSet
 
     from engine.table.furniture import BallId, PinId, Point, SpotId, Table, ZoneId
     from engine.variant.variant import Value, Variant
+    from rulelang import facts as said
     from rulelang.decisions import Offer
     from rulelang.vocabulary import Tracked
 
@@ -38,13 +39,13 @@ def empty() -> Mapping:  # type: ignore[type-arg]
 class Rest:
     """What is known of the balls at rest, as far as it is known.
 
-    `positions` in metres; `zones` the zones that a ball stands in; `frozen` who touches whom;
-    `covered` the spots on which no ball can be put, by the ball that stands there; `fallen` the
-    pins that do not stand.
+    `positions` in metres; `zones` the zones that a ball of which no position is known stands in;
+    `frozen` who touches whom, beside what positions show; `covered` the spots on which no ball
+    can be put, by the ball that stands there; `fallen` the pins that do not stand.
     """
 
     positions: Mapping[BallId, Point] = field(default_factory=empty)
-    zones: Mapping[BallId, frozenset[ZoneId]] = field(default_factory=empty)
+    zones: Mapping[BallId, AbstractSet[ZoneId]] = field(default_factory=empty)
     frozen: frozenset[Pair] = frozenset()
     covered: Mapping[SpotId, BallId] = field(default_factory=empty)
     fallen: frozenset[PinId] = frozenset()
@@ -123,26 +124,3 @@ def ball_to_strike(variant: Variant, situation: Situation) -> BallId:
 def zones_of(table: Table, point: Point) -> frozenset[ZoneId]:
     """Return every zone of the table that holds `point` (m)."""
     return frozenset(name for name, zone in table.zones.items() if contains(zone, point, table))
-
-
-def as_rules_see(situation: Situation) -> said.Situation:
-    """Return the situation in the language's own terms."""
-    return said.Situation(
-        players=situation.players,
-        shooter=situation.shooter,
-        phase=situation.phase,
-        scores=situation.scores,
-        on_table=frozenset(situation.on_table),
-        state=situation.state,
-        settings=situation.settings,
-        in_hand=situation.in_hand,
-        zones={ball: frozenset(zones) for ball, zones in situation.rest.zones.items()},
-        frozen=situation.rest.frozen,
-        fallen=frozenset(situation.rest.fallen),
-        options=situation.options,
-        breaker=situation.breaker,
-        eliminated=situation.eliminated,
-        seed=situation.seed * 1_000_003 + situation.shots,
-        games=situation.games,
-        winner=situation.won_last,
-    )

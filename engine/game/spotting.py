@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import frozen_pairs
-from engine.game.situation import Rest, Situation, zones_of
+from engine.game.situation import Rest, Situation
 from engine.game.verdict import Spotted
 from engine.table.furniture import BallId, SpotId
 from engine.table.pin import standing
@@ -51,6 +50,8 @@ def carry_out(
     before: Situation,
 ) -> Board:
     """Return the board after the actions; `before` is the situation to restore."""
+    if not actions:
+        return board
     lifted = frozenset(
         BallId(one.ball) for one in actions if isinstance(one, Spot) and not _stays(one)
     )
@@ -72,26 +73,19 @@ def carry_out(
 
 def lift(rest: Rest, balls: frozenset[BallId]) -> Rest:
     """Return what lies where after `balls` were taken up."""
-    return replace(
-        rest,
-        positions={ball: at for ball, at in rest.positions.items() if ball not in balls},
-        zones={ball: zones for ball, zones in rest.zones.items() if ball not in balls},
-        frozen=frozenset(pair for pair in rest.frozen if not balls & set(pair)),
-        covered={spot: ball for spot, ball in rest.covered.items() if ball not in balls},
+    return Rest(
+        {ball: at for ball, at in rest.positions.items() if ball not in balls},
+        {ball: zones for ball, zones in rest.zones.items() if ball not in balls},
+        frozenset(pair for pair in rest.frozen if balls.isdisjoint(pair)),
+        {spot: ball for spot, ball in rest.covered.items() if ball not in balls},
+        rest.fallen,
     )
 
 
-def place_ball(variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
+def place_ball(_variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
     """Return what lies where after `ball` was put at `at` (m)."""
-    positions = {**lift(rest, frozenset({ball})).positions, ball: at}
-    touching = frozenset(pair for pair in frozen_pairs(variant.world, positions) if ball in pair)
     lifted = lift(rest, frozenset({ball}))
-    return replace(
-        lifted,
-        positions=positions,
-        zones={**lifted.zones, ball: zones_of(variant.world.table, at)},
-        frozen=lifted.frozen | touching,
-    )
+    return replace(lifted, positions={**lifted.positions, ball: at})
 
 
 def set_up(variant: Variant, rest: Rest, pins: frozenset[str]) -> Rest:
@@ -109,17 +103,11 @@ def _without_air(variant: Variant, positions: Mapping[BallId, Point]) -> frozens
 
 
 def take_up_positions(variant: Variant, rest: Rest, positions: Mapping[BallId, Point]) -> Rest:
-    """Return what is known with `positions` (m) added: zones, contacts, pins that have no room."""
+    """Return what is known with `positions` (m) added: what lies there, pins that have no room."""
     if not positions:
         return rest
-    zones = {ball: zones_of(variant.world.table, at) for ball, at in positions.items()}
-    return replace(
-        rest,
-        positions=dict(positions),
-        zones={**rest.zones, **zones},
-        frozen=rest.frozen | frozen_pairs(variant.world, positions),
-        fallen=rest.fallen | _without_air(variant, positions),
-    )
+    fallen = rest.fallen | _without_air(variant, positions)
+    return replace(rest, positions=dict(positions), fallen=fallen)
 
 
 def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]) -> Board:

@@ -22,13 +22,13 @@ from engine.game.phrases import format_event, parse_event
 from engine.game.referee import judge_shot
 from engine.records.read import read_record
 from engine.variant.load import check_variant, list_variants, load_variant
+from tools.bench.verdict import long_game, verdict_rows
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from engine.game.shot import Shot
-    from engine.game.situation import Situation
     from engine.variant.variant import Variant
+    from tools.bench.verdict import Stroke
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 ROUNDS = 15
@@ -36,24 +36,53 @@ ROUNDS = 15
 
 def rows() -> Iterator[dict[str, object]]:
     """Yield a row for each kind of work; times in microseconds."""
+    yield from verdict_rows()
     yield from check_rows()
     load = cache(load_variant)
-    for game in (one.name for one in list_variants()):
+    games = [one.name for one in list_variants()]
+    yield from _judge_rows(games, load)
+    for game in games:
         yield _row(f"check {game}, files and script", _timed(partial(check_variant, game)), 1)
-        paths = sorted((ROOT / "tests" / "golden" / game).glob("*.toml"))
-        records = [read_record(path, load) for path in paths]
-        shots = [
-            (record.variant, record.start, record.steps[0].shot)
-            for record in records
-            if record.steps[0].shot.events
+        texts = [
+            format_event(event)
+            for _, _, shot in first_shots(game, load)
+            for event in shot.events or ()
         ]
-        if not shots:
-            continue
-        for explain in (False, True):
-            name = f"judge {game}, explanation {'on' if explain else 'off'}"
-            yield _row(name, _timed(partial(_judge_all, shots, explain=explain)), len(shots))
-        texts = [format_event(event) for _, _, shot in shots for event in shot.events or ()]
-        yield _row(f"read an event of {game}", _timed(partial(_parse_all, texts)), len(texts))
+        if texts:
+            yield _row(f"read an event of {game}", _timed(partial(_parse_all, texts)), len(texts))
+
+
+def _judge_rows(games: list[str], load: Callable[[str], Variant]) -> Iterator[dict[str, object]]:
+    """Yield how long a verdict takes in the records of each game, the median of games first.
+
+    `count` is how many records there are whose first shot is judged: in the median the games.
+    """
+    found: dict[str, list[dict[str, object]]] = {"off": [], "on": []}
+    for game in games:
+        shots = first_shots(game, load)
+        for said, made in found.items():
+            if shots:
+                work = partial(_judge_all, shots, explain=said == "on")
+                name = f"judge {game}, explanation {said}"
+                made.append(_row(name, _timed(work, process_time), len(shots)))
+    for said, made in found.items():
+        times = [float(str(row["median_us"])) for row in made]
+        yield _row(f"judge a shot, median of games, explanation {said}", times, 1) | {
+            "count": len(made)
+        }
+    for both in zip(*found.values(), strict=True):
+        yield from both
+
+
+def first_shots(game: str, load: Callable[[str], Variant]) -> list[Stroke]:
+    """Return the first shot of every record of a game that begins with a stroke."""
+    paths = sorted((ROOT / "tests" / "golden" / game).glob("*.toml"))
+    records = [read_record(path, load) for path in paths]
+    return [
+        (record.variant, record.start, record.steps[0].shot)
+        for record in records
+        if record.steps[0].shot.events
+    ]
 
 
 def check_rows() -> Iterator[dict[str, object]]:
@@ -64,13 +93,12 @@ def check_rows() -> Iterator[dict[str, object]]:
     """
     with TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "long.toml").write_text('extends = "snooker"\n', encoding="utf-8")
-        (folder / "long.rules").write_text(long_script(300), encoding="utf-8")
-        warm = partial(check_variant, folder / "long.toml", folder / "headstring")
+        path = long_game(folder, lambda source: source.count("\n") >= 300)
+        warm = partial(check_variant, path, folder / "headstring")
         if warm():
             raise ValueError("the long script has mistakes")
-        yield _row("check-warm, 300 lines, CPU", _timed(warm, process_time), 1)
-        check = ["-m", "engine", "check", str(folder / "long.toml")]
+        yield _row("check-warm, 300 lines, CPU", _timed(warm, process_time), 1, 50e3)
+        check = ["-m", "engine", "check", str(path)]
         for title, words in (
             ("check-cold, 300 lines", check),
             ("`--help`", ["-m", "engine", "--help"]),
@@ -88,25 +116,7 @@ def _run_apart(words: list[str], folder: Path) -> None:
     subprocess.run(command, cwd=ROOT, check=True, env=around, stdout=subprocess.DEVNULL)
 
 
-def long_script(lines: int) -> str:
-    """Return the longest shipped script, its fouls said again until it has so many lines."""
-    folder = ROOT / "variants"
-    files = ("rules/snooker-play.rules", "rules/snooker-choices.rules", "snooker.rules")
-    parts = [(folder / name).read_text(encoding="utf-8") for name in files]
-    first = [line for line in parts[-1].split("\n") if line.startswith(("language", "game"))]
-    head = ("language", "game", "uses")
-    rest = [line for part in parts for line in part.split("\n") if not line.startswith(head)]
-    source = "\n".join(first + rest)
-    section = source[source.index("\nfouls:") : source.index("\npoints:")]
-    for number in range(1, lines):
-        for line in section.replace('rule "', f'rule "{number} ').split("\n"):
-            if source.count("\n") >= lines and line.startswith("    rule"):
-                return source
-            source += line + "\n"
-    return source
-
-
-def _judge_all(shots: list[tuple[Variant, Situation, Shot]], *, explain: bool) -> None:
+def _judge_all(shots: list[Stroke], *, explain: bool) -> None:
     for variant, before, shot in shots:
         judge_shot(variant, before, shot, explain=explain)
 
@@ -131,11 +141,12 @@ def _of_children() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def _row(name: str, times: list[float], count: int) -> dict[str, object]:
+def _row(name: str, times: list[float], count: int, goal: float | None = None) -> dict[str, object]:
     each = np.array(times) / count
     return {
         "work": name,
         "count": count,
         "median_us": round(float(np.median(each)), 1),
         "p95_us": round(float(np.percentile(each, 95)), 1),
+        "goal_us": "" if goal is None else goal,
     }

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from engine.game.contacts import zones_by_ball
 from engine.game.phrases import RESERVED
 from engine.game.situation import ball_to_strike
 from engine.table.furniture import BallId
@@ -122,6 +123,7 @@ def begin_tale(variant: Variant, situation: Situation, rng: Random) -> Tale | No
         cue = rng.choice([ball for ball in variant.cue_balls if ball in live] or [cue])
     if cue not in live:
         return None
-    zones = {ball: set(map(str, at)) for ball, at in situation.rest.zones.items()}
+    lying = zones_by_ball(variant.world.table, situation.rest)
+    zones = {ball: set(map(str, at)) for ball, at in lying.items()}
     standing = [pin for pin in words.pins if pin not in situation.rest.fallen]
     return Tale(variant, rng, cue, live, zones, standing, moving=[cue])

@@ -11,19 +11,21 @@ from itertools import combinations
 from math import hypot
 from typing import TYPE_CHECKING
 
-from engine.game.aftermath import fallen
 from engine.game.referee import look_ahead
 from engine.game.situation import cue_ball_of
+from engine.table.furniture import BallId
+from rulelang.events import LeftTable, Pocketed, Rebounded, Settled
 from rulelang.facts import Call
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
     from random import Random
 
     from engine.game.shot import Shot
     from engine.game.situation import Situation
     from engine.game.verdict import Verdict
     from engine.variant.variant import Variant
+    from rulelang.events import Event
     from rulelang.program import CompiledRule, Program
 
 MOST = 10**6
@@ -73,6 +75,22 @@ def _balls(variant: Variant, before: Situation, shot: Shot, verdict: Verdict) ->
         for one in verdict.spotted:
             if one.ball not in after.on_table:
                 yield f"put back and not on the table: {one.ball}"
+
+
+def fallen(events: Iterable[Event], settled_within: float) -> frozenset[BallId]:
+    """Return the balls that a stroke's events took off the bed."""
+    down: set[BallId] = set()
+    for event in events:
+        match event:
+            case Pocketed(ball) | LeftTable(ball):
+                down.add(BallId(ball))
+            case Settled(ball, _, delay) if delay <= settled_within:
+                down.add(BallId(ball))
+            case Rebounded(ball):
+                down.discard(BallId(ball))
+            case _:
+                pass
+    return frozenset(down)
 
 
 def _named(balls: object) -> str:
