@@ -7,7 +7,6 @@ match before it as it was, in its journal. Invariant: no ball is ever put where 
 from __future__ import annotations
 
 import math
-import tomllib
 from dataclasses import replace
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
@@ -18,6 +17,7 @@ from engine.game.match import Match
 from engine.game.placing import refuse_spot
 from engine.game.referee import announce, on_the_bed
 from engine.game.spotting import lift, place_ball
+from engine.variant.source import Node, read_source
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -82,13 +82,13 @@ def save_layout(path: Path, variant: Variant, situation: Situation) -> None:
 
 def load_layout(path: Path, variant: Variant, situation: Situation) -> Situation:
     """Return the situation with the balls as a file has them; raises LayoutError."""
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as trouble:
-        raise LayoutError(f"{path.name} cannot be read: {trouble}") from trouble
+    source = read_source(path, path.parent)
+    if not isinstance(source, Node):
+        raise LayoutError(f"{path.name} cannot be read: {source[0].message}")
+    table = source.plain()
     known = {kind.id for kind in variant.balls}
     found: dict[BallId, Point] = {}
-    for ball, at in _positions(path, table).items():
+    for ball, at in _positions(path, table if isinstance(table, dict) else {}).items():
         if ball not in known:
             raise LayoutError(f"{path.name}: {variant.title} has no ball {ball}")
         found[ball] = _point(path, ball, at)

@@ -30,8 +30,10 @@ from engine.records.blocks import (
     times_left,
 )
 from engine.records.read import read_record_text
+from engine.records.record import RecordError
 from engine.records.say import expectation
 from engine.records.write import before_table, shot_table
+from engine.variant.source import read_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -42,6 +44,9 @@ if TYPE_CHECKING:
 
 EMPTY_SHOT = '\n[[shot]]\nchoose = "play"\n[shot.expect]\n'
 
+
+LARGEST = 16 * 1024 * 1024
+"""Bytes of the longest journal that is read: some ten thousand shots."""
 
 NOTHING: Mapping[str, float] = MappingProxyType({})
 
@@ -134,7 +139,9 @@ def resume(path: Path, load: Load) -> Match:
 
     Raises RecordError for a file that is no journal of a known variant.
     """
-    text = path.read_text(encoding="utf-8", errors="replace")
+    text = read_text(path, LARGEST, "replace")
+    if not isinstance(text, str):
+        raise RecordError(tuple(text))
     # A record has at least one shot: an empty one is read where a journal has none yet.
     empty = "" if "[[shot]]" in standing(text) else f"\n{TORN}\n{EMPTY_SHOT}{KEPT}\n"
     record = read_record_text(text + empty, path, load)

@@ -12,14 +12,15 @@ from pydantic import BaseModel, ConfigDict, Field
 
 Value = bool | int | str
 PerPlayer = list[Value]
-Point = Annotated[list[float], Field(min_length=2, max_length=2)]
+Metres = Annotated[float, Field(ge=-100, le=100)]
+Point = Annotated[list[Metres], Field(min_length=2, max_length=2)]
 Player = Annotated[int, Field(ge=1)]
 
 
 class Strict(BaseModel):
     """No other keys, and no turning of one kind of value into another."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
 class BeforeSpec(Strict):
@@ -49,8 +50,8 @@ class CallSpec(Strict):
 class StrikeSpec(Strict):
     """The stroke as it was played: m/s, degrees, ball radii."""
 
-    speed: Annotated[float, Field(gt=0)]
-    heading: float
+    speed: Annotated[float, Field(gt=0, le=100)]
+    heading: Annotated[float, Field(ge=-36000, le=36000)]
     elevation: Annotated[float, Field(ge=0, lt=90)] = 0.0
     side: Annotated[float, Field(ge=-1, le=1)] = 0.0
     follow: Annotated[float, Field(ge=-1, le=1)] = 0.0

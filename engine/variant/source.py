@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 import tomllib
 from dataclasses import dataclass
+from stat import S_ISREG
 from typing import TYPE_CHECKING
 
 from engine.variant.locate import KeyPath, Place, locate
@@ -139,18 +140,28 @@ def merge(base: Node, top: Node) -> Node:
     return Node(table, top.source, top.path)
 
 
-def read_text(path: Path) -> str | list[Diagnostic]:
-    """Return the text of a file, or why there is none; a file too large is not opened."""
+def read_text(
+    path: Path, most: int = LARGEST_FILE, errors: str = "strict"
+) -> str | list[Diagnostic]:
+    """Return the text of a file of at most `most` bytes, or why there is none.
+
+    A device or a pipe is not opened, for it may never end; `errors` is what `bytes.decode` does
+    with a byte that is not UTF-8.
+    """
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            message = f"the file is larger than {LARGEST_FILE // 1024} KiB"
-            return [Diagnostic("V003", str(path), 1, 1, message, "split it into parts")]
-        raw = path.read_bytes()
+        if not S_ISREG(path.stat().st_mode):
+            reason = "it is a folder" if path.is_dir() else "it is no plain file"
+            return [Diagnostic("V001", str(path), 1, 1, f"cannot read the file: {reason}")]
+        with path.open("rb") as file:
+            raw = file.read(most + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "cannot be read"
         return [Diagnostic("V001", str(path), 1, 1, f"cannot read the file: {reason}")]
+    if len(raw) > most:
+        message = f"the file is larger than {most // 1024} KiB"
+        return [Diagnostic("V003", str(path), 1, 1, message, "split it into parts")]
     try:
-        return raw.decode("utf-8-sig").replace("\r\n", "\n")
+        return raw.decode("utf-8-sig", errors).replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         column = error.start - (raw.rfind(b"\n", 0, error.start) + 1) + 1
