@@ -1,6 +1,7 @@
 """A played shot becomes a record file.
 
-One idea: the record is written from values alone; reading it back gives the same shot.
+One idea: the record is written from values alone; reading it back gives the same shot. What the
+reader supplies by itself, settings and tracked values as they are at a start, is left out.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import tomli_w
 
+from engine.game.match import check_settings, start_game, start_state
 from engine.game.phrases import format_event
 from engine.records.hash import physics_hash
 from engine.records.say import expectation, plain
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from engine.variant.variant import Variant
     from rulelang.facts import Call
     from rulelang.program import Program
+    from rulelang.vocabulary import Tracked, Value
 
 
 def save_shot_record(path: Path, match: Match, index: int = -1, title: str = "") -> None:
@@ -44,10 +47,10 @@ def record_text(match: Match, index: int = -1, title: str = "") -> str:
         "variant": match.variant.name,
         "title": title or f"Shot {number} of a match of {match.variant.title}",
         "cites": cites_of(match.variant, played.verdict),
-        "settings": dict(match.settings),
+        "settings": settings_told(match.variant, match.settings),
         "physics": physics_hash(match.variant.world),
         "before": before_table(match.variant, played.before),
-        "shot": [{**shot_table(played.shot), "expect": _expect(played)}],
+        "shot": [{**shot_table(played.shot), "expect": _expect(match.variant, played)}],
     }
     return tomli_w.dumps({key: value for key, value in record.items() if value not in ([], {})})
 
@@ -67,8 +70,32 @@ def with_book(program: Program, section: str) -> str:
     return f"{program.rulebook} {section}".strip()
 
 
-def _expect(played: Played) -> dict[str, object]:
-    return expectation(played.verdict, played.before)
+def settings_told(variant: Variant, settings: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the settings that are not the variant's own."""
+    usual = check_settings(variant, {})
+    return {name: value for name, value in settings.items() if usual[name] != value}
+
+
+def state_told(variant: Variant, situation: Situation) -> Mapping[str, Tracked]:
+    """Return the tracked values that are not those of a start."""
+    count, settings = situation.players, situation.settings
+    bare = start_state(variant, count)
+    opened = start_game(variant, count, settings, situation.seed).state
+    return {
+        name: value
+        for name, value in situation.state.items()
+        if value != bare[name] or value != opened[name]
+    }
+
+
+def _expect(variant: Variant, played: Played) -> dict[str, object]:
+    told = expectation(played.verdict, played.before)
+    after = played.verdict.after
+    names = {*state_told(variant, played.before), *state_told(variant, after)}
+    state = {name: plain(value) for name, value in after.state.items() if name in names}
+    return {key: value for key, value in told.items() if key != "state"} | (
+        {"state": state} if state else {}
+    )
 
 
 def before_table(variant: Variant, situation: Situation) -> dict[str, object]:
@@ -83,8 +110,8 @@ def before_table(variant: Variant, situation: Situation) -> dict[str, object]:
         table["in_hand"] = situation.in_hand
     if situation.offers:
         table["options"] = list(situation.options)
-    if situation.state:
-        table["state"] = {name: plain(value) for name, value in situation.state.items()}
+    if state := state_told(variant, situation):
+        table["state"] = {name: plain(value) for name, value in state.items()}
     if situation.rest.positions:
         table["positions"] = _positions(situation.rest.positions)
     return table
