@@ -285,6 +285,45 @@ def render(variant: str, renderer: str, camera: str, size: str, seed: int, outpu
     click.echo(f"{output}: {loaded.title}, {renderer}, seen from {camera}")
 
 
+@main.command()
+@click.argument("record", type=FILE)
+@click.option("--gif", type=FILE, metavar="FILE.gif", help="A moving picture of the shot.")
+@click.option("--paths", type=FILE, metavar="FILE.png", help="The ways of all balls, every shot.")
+@click.option("--shot", type=click.IntRange(1), default=1, metavar="N", help="Which; the first.")
+@click.option("--size", metavar="WIDTHxHEIGHT", default="640x360", help="640x360 by default.")
+def export(record: Path, gif: Path | None, paths: Path | None, shot: int, size: str) -> None:
+    """Make pictures of a recorded shot, or of a shot of a journal, without a window.
+
+    Exit status 2: the record cannot be used, or has nothing to show.
+    """
+    if gif is None and paths is None:
+        raise click.UsageError("which picture? Give --gif FILE.gif or --paths FILE.png")
+    from engine.app.clip import NoStrokeError, write_clip  # noqa: PLC0415
+    from engine.proving.pictures import draw_outcome  # noqa: PLC0415
+    from engine.records.read import read_record  # noqa: PLC0415
+    from engine.records.record import RecordError  # noqa: PLC0415
+    from engine.records.run import run_record  # noqa: PLC0415
+
+    try:
+        outcome = run_record(read_record(record, _loader()))
+        if gif is not None:
+            if shot > len(outcome.judgements):
+                raise click.UsageError(f"{record} has {len(outcome.judgements)} shots")
+            one = outcome.judgements[shot - 1]
+            wide = _size(size) or (640, 360)
+            write_clip(gif, outcome.record.variant, one.before, one.shot, size=wide)
+            click.echo(f"{gif}: shot {shot} of {record}")
+        if paths is not None:
+            known = draw_outcome(outcome, paths)
+            click.echo(f"{paths}: {f'the ways of {record}' if known else 'no place is known'}")
+    except RecordError as error:
+        _tell(error.diagnostics, as_json=False)
+        sys.exit(2)
+    except (NoStrokeError, OSError) as error:
+        click.echo(f"{record}: {error}", err=True)
+        sys.exit(2)
+
+
 def _loader() -> Callable[[str], Variant]:
     """Return a way to load variants by stem, each once."""
     from functools import cache  # noqa: PLC0415

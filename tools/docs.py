@@ -11,6 +11,7 @@ import argparse
 import json
 import re
 import sys
+import textwrap
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -139,6 +140,13 @@ def keys() -> str:
     return f"| key | what it does |\n|---|---|\n{rows}\n"
 
 
+def actions() -> str:
+    """Return the names by which the settings give keys."""
+    from engine.app.keys import BINDINGS  # noqa: PLC0415
+
+    return textwrap.fill(", ".join(f"`{one.action}`" for one in BINDINGS) + ".", 100) + "\n"
+
+
 def key_tables() -> str:
     """Return every key by groups, then what the mouse does."""
     from engine.app.keys import BINDINGS, MOUSE, groups  # noqa: PLC0415
@@ -183,6 +191,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "commands": commands,
     "keys": keys,
     "key-tables": key_tables,
+    "actions": actions,
     "games": games,
     "validation": validation,
     "robustness": robustness,

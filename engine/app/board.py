@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from math import ceil
 from typing import TYPE_CHECKING
 
+from engine.app.replaying import showing_words
 from engine.app.session import Mode
 from engine.app.units import Units
 from engine.app.words import (
@@ -192,7 +193,7 @@ def asked(session: Session, units: Units = Units.METRIC) -> str:
         case Mode.AIMING:
             return f"{who}: aim and strike"
         case Mode.STRIKING | Mode.ROLLING:
-            return "The last shot again" if session.back_to else "The balls are rolling"
+            return showing_words(session)
         case Mode.VERDICT:
             return next_words(session.variant, session.match.situation, session.names)
         case Mode.ARRANGING:

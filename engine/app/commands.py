@@ -174,6 +174,20 @@ class Replay:
 
 
 @dataclass(frozen=True, slots=True)
+class StepShown:
+    """Halt the showing so many single steps further."""
+
+    by: int
+
+
+@dataclass(frozen=True, slots=True)
+class ChangePace:
+    """Show the shot so many degrees faster, or slower."""
+
+    by: int
+
+
+@dataclass(frozen=True, slots=True)
 class Skip:
     """Show the end of the shot at once."""
 
@@ -214,6 +228,8 @@ Command = (
     | Undo
     | Redo
     | Replay
+    | StepShown
+    | ChangePace
     | Skip
     | NextGame
     | ChangeAid

@@ -77,7 +77,7 @@ class Keeper:
             save_shot_record(path, match)
         except OSError as trouble:
             return f"the shot could not be saved: {trouble}"
-        return f"saved {_shown(path)}"
+        return f"saved {shown_path(path)}"
 
     def keep_layout(self, session: Session) -> str:
         """Keep where the balls lie now; return what to tell the player."""
@@ -89,7 +89,7 @@ class Keeper:
             save_layout(path, session.variant, lying)
         except OSError as trouble:
             return f"the layout could not be kept: {trouble}"
-        return f"kept {_shown(path)}"
+        return f"kept {shown_path(path)}"
 
     def next_layout(self, session: Session) -> tuple[str, Situation] | None:
         """Return name and situation of the next layout that was kept; raises LayoutError."""
@@ -101,7 +101,7 @@ class Keeper:
         return path.stem, load_layout(path, session.variant, session.match.situation)
 
 
-def _shown(path: Path) -> str:
+def shown_path(path: Path) -> str:
     """Return a path as a player would write it."""
     home = path.home()
     return f"~/{path.relative_to(home)}" if path.is_relative_to(home) else str(path)
@@ -114,7 +114,7 @@ def _shared(one: Match, two: Match) -> int | None:
         if a is not b and not (isinstance(a, int) and a == b):
             break
         count += 1
-    if count == 0 and one.played and two.played:
+    if count == 0 and one.played and two.played and one.played[0].before != two.played[0].before:
         return None
     return count
 

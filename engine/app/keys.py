@@ -30,7 +30,7 @@ class Binding:
 
 
 AIM, TABLE, SAY, VIEW, GAME = "Aiming", "Placing the ball", "Calls and choices", "View", "Game"
-PRACTICE = "Practice"
+PRACTICE, SHOWN = "Practice", "While a shot is shown"
 
 BINDINGS: tuple[Binding, ...] = (
     Binding(
@@ -78,7 +78,13 @@ BINDINGS: tuple[Binding, ...] = (
     Binding(
         "aid", ("t",), "T", "aiming aid: off, line, ghost ball, the ball's path, all paths", AIM
     ),
-    Binding("confirm", ("space", "return", "enter"), "Space, Enter", "strike; accept; go on", AIM),
+    Binding(
+        "confirm",
+        ("space", "return", "enter"),
+        "Space, Enter",
+        "strike; accept; go on; halt what is shown",
+        AIM,
+    ),
     Binding(
         "move",
         ("left", "right", "up", "down"),
@@ -113,6 +119,7 @@ BINDINGS: tuple[Binding, ...] = (
         ordered=True,
     ),
     Binding("why", ("h",), "H", "the referee's full explanation", SAY),
+    Binding("facts", ("z",), "Z", "tell what an eye saw of the last shot; it is judged again", SAY),
     Binding("wireframe", ("1",), "1", "draw as a wireframe", VIEW),
     Binding("painter", ("2",), "2", "draw by the painter's algorithm", VIEW),
     Binding("scanline", ("3",), "3", "draw by scanlines with a z-buffer", VIEW),
@@ -123,7 +130,6 @@ BINDINGS: tuple[Binding, ...] = (
         "camera: from the cue, from above, free orbit, along with a ball",
         VIEW,
     ),
-    Binding("follow", ("z",), "Z", "go along with a ball; once more: with the next one", VIEW),
     Binding(
         "orbit",
         (",", "."),
@@ -152,13 +158,21 @@ BINDINGS: tuple[Binding, ...] = (
     Binding("repeat", ("v",), "V", "the last stroke once more, from where the balls lay", PRACTICE),
     Binding("keep", ("f6",), "F6", "keep the layout", PRACTICE),
     Binding("lay", ("f7",), "F7", "lay out the next layout that was kept", PRACTICE),
+    Binding("cloth", ("f10",), "F10", "friction and restitution: look, change, practise", PRACTICE),
+    Binding("replay", ("r",), "R", "see the last shot again (with Shift: slowly)", SHOWN),
+    Binding("fast", ("f",), "F", "skip to the end", SHOWN),
+    Binding("step", ("'",), "'", "a single step on", SHOWN),
+    Binding("step-back", (";",), ";", "a single step back", SHOWN),
+    Binding("slower", ("[",), "[", "slower", SHOWN),
+    Binding("faster", ("]",), "]", "faster", SHOWN),
     Binding("help", ("f1",), "F1", "this page", GAME),
     Binding("rules", ("f2",), "F2", "the rules of the game, as its script has them", GAME),
     Binding("save", ("f5",), "F5", "save the last shot as a record", GAME),
+    Binding("clip", ("f8",), "F8", "save the last shot as a moving picture (GIF)", GAME),
+    Binding("paths", ("f9",), "F9", "save the ways of the last shot as a picture", GAME),
+    Binding("picture", ("f12",), "F12", "save what is seen as a picture", GAME),
     Binding("undo", ("u",), "U", "take the last shot back", GAME),
     Binding("redo", ("y",), "Y", "play the shot taken back again", GAME),
-    Binding("replay", ("r",), "R", "see the last shot again (with Shift: slowly)", GAME),
-    Binding("fast", ("f",), "F", "skip to the end while balls roll", GAME),
     Binding("next", ("n",), "N", "next game, when one is over", GAME),
     Binding("menu", ("escape",), "Esc", "close a page; menu and quit", GAME),
 )

@@ -16,12 +16,16 @@ import pygame
 from engine.app import commands
 from engine.app.arranging import LayoutError
 from engine.app.controls import Controls
+from engine.app.exporting import Exporter
 from engine.app.glide import Glide
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
+from engine.app.judging import why_not
+from engine.app.keeping import shown_path
 from engine.app.labels import shown_variant
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
+from engine.app.panel import ClothPanel, facts_panel
 from engine.app.pen import Pen
 from engine.app.practising import lay
 from engine.app.screen import Screen
@@ -29,6 +33,7 @@ from engine.app.session import SHOWING, Mode
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time, take_up
+from engine.app.trouble import ScriptTrouble, told
 from engine.app.units import Units
 from engine.app.view import View, camera_of, followed_place, stroke_seen, struck_ball
 from engine.app.wishes import Ask
@@ -41,6 +46,7 @@ if TYPE_CHECKING:
 
     from engine.app.inputs import InputEvent
     from engine.app.keeping import Keeper
+    from engine.app.panel import Panel
     from engine.app.session import Session
     from engine.app.showing import Showing
     from engine.app.startup import Startup
@@ -75,6 +81,7 @@ class Loop:
     glide: Glide = field(default_factory=Glide)
     page: Page | None = None
     scroll: int = 0
+    panel: Panel | None = None
     running: bool = True
     wants_another: bool = False
     frames: int = 0
@@ -83,11 +90,13 @@ class Loop:
     hands: Input = field(default_factory=Input)
     controls: Controls = field(default_factory=Controls)
     hud: Hud = field(init=False)
+    exporter: Exporter = field(init=False)
     _rate_shown: float = 0.0
     _camera: Camera | None = None
     _followed: Point | None = None
 
     def __post_init__(self) -> None:
+        self.exporter = Exporter(self.keeper.folder.parent / "pictures")
         pen = Pen(self.window.surface, theme=self.theme)
         self.hud = Hud(pen, self.controls.keyboard.keymap, self.units, letters=self.letters)
 
@@ -120,6 +129,8 @@ class Loop:
             self._draw_start()
         else:
             self._look_at_files()
+            if made := self.exporter.take():
+                self._note(made)
             self._take(events, seconds)
             before = self.session
             self._set(pass_time(before, seconds, at_table=self.page is None))
@@ -166,6 +177,10 @@ class Loop:
 
     def _turn_page(self, events: list[InputEvent]) -> None:
         """Let the keys and the mouse move the page that is open."""
+        if self.panel is not None:
+            self._hear_panel(self.panel)
+            self._click_page(events)
+            return
         self.scroll -= 3 * self.hands.wheel
         for key in self.hands.pressed:
             self.scroll += PAGE_KEYS.get(key, 0)
@@ -177,12 +192,55 @@ class Loop:
             if key in ("escape", "f1", "f2", "h", "return", "enter", "space"):
                 self.page = None
                 return
+        self._click_page(events)
+
+    def _click_page(self, events: list[InputEvent]) -> None:
+        """Let the mouse ask for what stands on the page that is open."""
         screen = self.screen()
         for wish in self.controls.read(
             Input(mouse=self.hands.mouse), events, self.session, screen, 0.0
         ):
             if isinstance(wish, Ask):
                 self._do(wish)
+
+    def _open_panel(self, page: Page) -> None:
+        """Open a page on which something can be set, or say why not."""
+        refused = why_not(self.session) if page is Page.FACTS else ""
+        if self.session.mode in SHOWING:
+            refused = "wait until the balls have come to rest"
+        self.page = None if refused else page
+        self.scroll = 0
+        if refused:
+            self._note(refused)
+        elif page is Page.FACTS:
+            self.panel = facts_panel(self.session)
+        else:
+            self.panel = ClothPanel(self.session.variant.world, self.units)
+
+    def _hear_panel(self, panel: Panel) -> None:
+        """Let the keys set what stands on the page that is open."""
+        for key in self.hands.pressed:
+            match key:
+                case "up" | "down":
+                    self.scroll = (self.scroll + PAGE_KEYS[key]) % len(panel.rows)
+                case "left" | "right":
+                    many = 10 if self.hands.shift else 1
+                    panel = panel.stepped(self.scroll, many if key == "right" else -many)
+                case "return" | "enter" | "space":
+                    self.page, self.panel = None, None
+                    self._accept(panel)
+                    return
+                case "escape":
+                    self.page, self.panel = None, None
+                    return
+        self.panel = panel
+
+    def _accept(self, panel: Panel) -> None:
+        try:
+            self._set(panel.accept(self.session))
+        except ScriptTrouble as trouble:
+            words = told(trouble, self.session.variant)
+            self.session = replace(self.session, trouble=words)
 
     def _look_at_files(self) -> None:
         """Take up the game's files where they have changed, or say what is wrong with them."""
@@ -253,7 +311,14 @@ class Loop:
                 self.speaker.muted = not self.speaker.muted
                 self._note("sound off" if self.speaker.muted else "sound on")
             case "help" | "why" | "rules" | "menu":
-                self.page, self.scroll = Page[ask.action.upper()], 0
+                self.page, self.scroll, self.panel = Page[ask.action.upper()], 0, None
+            case "facts" | "cloth":
+                self._open_panel(Page[ask.action.upper()])
+            case value if value.startswith("value-") and self.panel is not None:
+                self.scroll = int(value.removeprefix("value-"))
+                self.panel = self.panel.stepped(self.scroll, 1)
+            case "picture" | "clip" | "paths":
+                self._export(ask.action)
             case "save":
                 self.page = None
                 self._note(self.keeper.save_shot(self.session.match))
@@ -275,6 +340,21 @@ class Loop:
         return [
             kind.id for kind in self.session.variant.balls if kind.id in there and kind.id != struck
         ]
+
+    def _export(self, kind: str) -> None:
+        """Save what is seen, or begin to make a picture of the last shot."""
+        self.page = None
+        match = self.session.match
+        if kind != "picture":
+            self._note(self.exporter.begin(kind, match))
+            return
+        path = self.exporter.path(kind, match)
+        try:
+            self.window.save(path)
+        except OSError as trouble:
+            self._note(f"the picture could not be saved: {trouble}")
+        else:
+            self._note(f"saved {shown_path(path)}")
 
     def _lay(self) -> None:
         """Lay out the next layout that was kept, or say why not."""
@@ -305,7 +385,7 @@ class Loop:
         draw_called(self.hud.pen, self.session, screen)
         self.hud.draw(self.session, self._status())
         if self.page is not None:
-            last = draw_page(self.hud, self.page, self.session, self.scroll)
+            last = draw_page(self.hud, self.page, self.session, self.scroll, self.panel)
             self.scroll = min(max(self.scroll, 0), last)
 
     def _status(self) -> str:

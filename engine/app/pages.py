@@ -18,6 +18,7 @@ from engine.app.words import Line, player_name
 if TYPE_CHECKING:
     from engine.app.hud import Hud
     from engine.app.keymap import Keymap
+    from engine.app.panel import Panel
     from engine.app.session import Session
 
 
@@ -27,6 +28,8 @@ class Page(Enum):
     HELP = "Keys"
     WHY = "What the referee looked at"
     RULES = "The rules"
+    FACTS = "What an eye saw"
+    CLOTH = "Friction and restitution"
     MENU = "Menu"
 
 
@@ -44,14 +47,29 @@ MENU = (
     ("help", "Keys"),
     ("why", "The referee's explanation"),
     ("rules", "The rules of this game"),
+    ("facts", "What an eye saw of the last shot"),
+    ("cloth", "Friction and restitution"),
     ("save", "Save the last shot as a record"),
+    ("clip", "Save the last shot as a moving picture"),
+    ("paths", "Save the ways of the last shot"),
+    ("picture", "Save what is seen as a picture"),
     ("games", "Another game (the match is kept)"),
     ("quit", "Quit (the match is kept)"),
 )
 
 
-def rows_of(page: Page, session: Session, keymap: Keymap) -> list[Row]:
+PICKING = (Page.MENU, Page.FACTS, Page.CLOTH)
+"""Pages on which a row is picked."""
+
+
+def rows_of(page: Page, session: Session, keymap: Keymap, panel: Panel | None = None) -> list[Row]:
     """Return what a page says."""
+    if panel is not None:
+        rows = [
+            Row(Line(f"<  {value}  >", "head"), name, f"ask:value-{place}")
+            for place, (name, value) in enumerate(panel.rows)
+        ]
+        return [*rows, Row(Line("")), *(Row(Line(text, "faint")) for text in panel.about)]
     if page is Page.HELP:
         return _help(keymap)
     if page is Page.WHY:
@@ -88,26 +106,32 @@ def _help(keymap: Keymap) -> list[Row]:
     return rows
 
 
-def draw_page(hud: Hud, page: Page, session: Session, scroll: int) -> int:
+def draw_page(
+    hud: Hud, page: Page, session: Session, scroll: int, panel: Panel | None = None
+) -> int:
     """Draw a page, scrolled by rows or with that row picked; return how far that can go."""
     pen = hud.pen
     width, height = pen.surface.get_size()
     wide = min(pen.px(440 if page is Page.MENU else 860), width - 24)
-    rows = _wrapped(hud, rows_of(page, session, hud.keymap), wide)
-    step = pen.line(16) + pen.px(12 if page is Page.MENU else 3)
+    rows = _wrapped(hud, rows_of(page, session, hud.keymap, panel), wide)
+    picking = page in PICKING
+    step = pen.line(16) + pen.px(12 if picking else 3)
     most = max(1, (height - pen.px(110)) // step)
     last = max(0, len(rows) - most)
     first = min(max(scroll, 0), last)
-    picked = min(max(scroll, 0), len(rows) - 1) if page is Page.MENU else -1
+    count = sum(bool(row.hot) for row in rows)
+    picked = min(max(scroll, 0), count - 1) if picking else -1
     shown = rows[first : first + most]
     high = step * len(shown) + pen.px(70)
     left, top = (width - wide) // 2, (height - high) // 2
     pen.panel((0, 0, width, height), 150, None)
     pen.panel((left, top, wide, high), 255)
     pen.write(page.value, (left + pen.px(20), top + pen.px(12)), TEXT, 21)
-    ending = (
-        "Esc closes" if not last else f"wheel or arrows scroll {first + 1}/{last + 1}   Esc closes"
-    )
+    ending = "Esc closes"
+    if panel is not None:
+        ending = "Left / Right change   Enter accepts   Esc leaves it"
+    elif last:
+        ending = f"wheel or arrows scroll {first + 1}/{last + 1}   Esc closes"
     pen.write(ending, (left + wide - pen.px(20), top + pen.px(17)), FAINT, 13, "right")
     hud.hot.clear()
     for place, row in enumerate(shown):
@@ -117,7 +141,7 @@ def draw_page(hud: Hud, page: Page, session: Session, scroll: int) -> int:
             (left + pen.px(20), top + pen.px(52) + place * step, wide, step),
             picked == first + place,
         )
-    return len(rows) - 1 if page is Page.MENU else last
+    return count - 1 if picking else last
 
 
 def _wrapped(hud: Hud, rows: list[Row], wide: int) -> list[Row]:
@@ -138,12 +162,12 @@ def _wrapped(hud: Hud, rows: list[Row], wide: int) -> list[Row]:
 def _draw_row(hud: Hud, row: Row, box: tuple[int, int, int, int], picked: bool) -> None:  # noqa: FBT001
     pen = hud.pen
     x, y, wide, step = box
-    if row.keys:
-        pen.write(row.keys, (x, y), GOLD, 16, room=pen.px(230))
-        x += pen.px(240)
     if row.hot:
         place = x, y - pen.px(4), wide - pen.px(40), step - 2
         pen.card(place, PICKED if picked else MARKED, GOLD if picked else None)
         hud.hot[row.hot] = place
         x += pen.px(12)
+    if row.keys:
+        pen.write(row.keys, (x, y), GOLD, 16, room=pen.px(230))
+        x += pen.px(240)
     pen.write(row.line.text, (x, y), TONES[row.line.tone], 16)

@@ -70,7 +70,14 @@ def _offered(session: Session) -> list[tuple[str, str]]:
                 redo,
             ]
         case Mode.STRIKING | Mode.ROLLING:
-            return [("Skip to the end", "fast")]
+            halt = "Go on" if session.halted else "Halt"
+            turns = [
+                ("Slower", "slower"),
+                ("Faster", "faster"),
+                ("Step", "step"),
+                ("Again", "replay"),
+            ]
+            return [("Skip to the end", "fast"), (halt, "confirm"), *turns]
         case Mode.VERDICT:
             return [("Go on", "confirm"), why, ("Replay", "replay"), ("Save", "save"), undo]
         case Mode.OVER:

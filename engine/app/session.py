@@ -67,9 +67,9 @@ class Session:
     `struck` is the ball to strike where it is not the usual one, `held` the one that is moved while
     the balls are arranged. `place` is where the ball in
     hand is held. `trace` is the last stroke's, shown up to `clock`
-    (s, below zero while the cue comes forward), `pace` times as fast as it was; `back_to` is
-    where a replay leads back to. `note` is said to the player, `trouble` is the script's, `later`
-    holds what was undone. `timing` is the time left on the timers of the script.
+    (s, below zero while the cue comes forward), `pace` times as fast as it was, or `halted`;
+    `back_to` is where a replay leads back to. `note` is said to the player, `trouble` is the
+    script's, `later` holds what was undone. `timing` is the time left on the timers of the script.
     """
 
     match: Match
@@ -88,6 +88,7 @@ class Session:
     trace: Trace | None = None
     clock: float = 0.0
     pace: float = 1.0
+    halted: bool = False
     back_to: Mode | None = None
     note: str = ""
     trouble: str = ""

@@ -12,6 +12,7 @@ from engine.app import calling, commands
 from engine.app.before import face_balls, look
 from engine.app.session import Mode, Session
 from engine.app.stroke import Stroke, heading_to
+from engine.app.words import ball_name
 from engine.game.referee import look_ahead
 from engine.game.shot import NO_CALL
 from engine.table.furniture import BallId
@@ -23,8 +24,11 @@ if TYPE_CHECKING:
 def strike_next(session: Session, by: int) -> Session:
     """Return the session with another ball to strike, where the rules leave the choice."""
     balls = session.strikable
-    if session.mode is not Mode.AIMING or len(balls) < 2:
+    if session.mode is not Mode.AIMING:
         return session
+    if len(balls) < 2:
+        name = ball_name(session.variant, session.cue_ball)
+        return replace(session, note=f"the rules let you strike no other ball than the {name}")
     struck = balls[(balls.index(session.cue_ball) + by) % len(balls)]
     return face_balls(replace(session, struck=struck, note=""))
 

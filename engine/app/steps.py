@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from engine.app import calling, commands
+from engine.app import calling, commands, replaying
 from engine.app.before import after_placing, back_at, begin, take
 from engine.app.practising import arrange, arranging, repeat
 from engine.app.session import BEFORE_STROKE, SHOWING, SWING, Aid, Mode, Session
@@ -27,7 +27,7 @@ from engine.game.match import advance, rejudge, start_match, undo
 from engine.game.match import next_game as game_after
 from engine.game.observe import observe, simulate_shot
 from engine.game.placing import refuse_place
-from engine.game.referee import judge_shot, take_choice
+from engine.game.referee import judge_shot
 from engine.game.shot import NO_CALL
 
 if TYPE_CHECKING:
@@ -55,9 +55,13 @@ def _act(session: Session, command: commands.Command) -> Session:
             aids = list(Aid)
             return replace(session, aid=aids[(aids.index(session.aid) + 1) % len(aids)])
         case commands.Replay(pace):
-            return _replay(session, pace)
+            return replaying.replay(session, pace)
+        case commands.StepShown(by):
+            return replaying.step(session, by)
+        case commands.ChangePace(by):
+            return replaying.change_pace(session, by)
         case commands.Skip():
-            return _finish(session) if session.mode in SHOWING else session
+            return replaying.finish(session) if session.mode in SHOWING else session
         case commands.NextGame():
             return next_game(session)
         case commands.Confirm():
@@ -134,7 +138,7 @@ def _confirm(session: Session) -> Session:
         case Mode.AIMING:
             return _strike(session)
         case Mode.STRIKING | Mode.ROLLING:
-            return session
+            return replaying.halt(session)
         case Mode.VERDICT:
             return begin_next(session)
         case Mode.OVER:
@@ -174,6 +178,7 @@ def _strike(session: Session) -> Session:
         trace=trace,
         clock=-SWING,
         pace=1.0,
+        halted=False,
         back_to=None,
         note="",
         later=(),
@@ -198,7 +203,7 @@ def pass_time(session: Session, seconds: float, *, at_table: bool = True) -> Ses
     The showing moves and the timers run, those of a shot or a turn only while the shooter is
     `at_table`.
     """
-    shown = _show(session, seconds)
+    shown = replaying.show(session, seconds)
     playing = shown.mode not in (Mode.OVER, Mode.ARRANGING) and not shown.match.situation.over
     if not shown.timing.clock.timers or not playing:
         return shown
@@ -230,42 +235,6 @@ def _time_out(session: Session) -> Session:
     timing = timed_on(session.timing, match)
     ended = begin(match, session.stroke, session.aid, timing)
     return replace(ended, mode=Mode.VERDICT, note="time is up", later=())
-
-
-def _show(session: Session, seconds: float) -> Session:
-    """Return the session in which the showing has moved on."""
-    if session.mode not in SHOWING or session.trace is None:
-        return session
-    clock = session.clock + seconds * session.pace
-    if clock >= session.trace.duration:
-        return _finish(session)
-    return replace(session, clock=clock, mode=Mode.ROLLING if clock >= 0.0 else Mode.STRIKING)
-
-
-def _finish(session: Session) -> Session:
-    end = session.trace.duration if session.trace else 0.0
-    if session.back_to is not None:
-        return replace(session, clock=end, mode=session.back_to, back_to=None)
-    return replace(session, clock=end, mode=Mode.VERDICT)
-
-
-def _replay(session: Session, pace: float) -> Session:
-    last = session.last_stroke
-    if last is None or session.mode in SHOWING:
-        return session
-    trace = session.trace
-    if trace is None:
-        before = take_choice(session.variant, last.before, last.shot).after
-        trace = simulate_shot(session.variant, before, last.shot)
-    return replace(
-        session,
-        trace=trace,
-        mode=Mode.STRIKING,
-        clock=-SWING,
-        pace=pace,
-        back_to=session.mode,
-        note="",
-    )
 
 
 def _undo(session: Session) -> Session:

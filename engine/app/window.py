@@ -16,6 +16,7 @@ from engine.app import inputs
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     import numpy as np
     from numpy.typing import NDArray
@@ -82,6 +83,14 @@ class Window:
         sizes = pygame.display.get_desktop_sizes()
         screen = sizes[0] if sizes else self.size
         self.surface = pygame.display.set_mode(screen, pygame.FULLSCREEN, 32)
+
+    def save(self, path: Path) -> None:
+        """Write what was shown last as a picture; raises OSError."""
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            pygame.image.save(self.surface, path)
+        except pygame.error as trouble:
+            raise OSError(str(trouble)) from trouble
 
     def show(self) -> None:
         """Bring what was drawn to the screen."""

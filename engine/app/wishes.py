@@ -28,6 +28,10 @@ PLAIN: dict[str, commands.Command] = {
     "undo": commands.Undo(),
     "redo": commands.Redo(),
     "fast": commands.Skip(),
+    "step": commands.StepShown(1),
+    "step-back": commands.StepShown(-1),
+    "slower": commands.ChangePace(-1),
+    "faster": commands.ChangePace(1),
     "next": commands.NextGame(),
     "arrange": commands.Arrange(),
     "take-off": commands.TakeOff(),
@@ -39,7 +43,6 @@ WINDOW = (
     "painter",
     "scanline",
     "camera",
-    "follow",
     "full-screen",
     "letters",
     "keep",
@@ -50,12 +53,19 @@ WINDOW = (
     "rules",
     "save",
     "why",
+    "facts",
+    "cloth",
+    "picture",
+    "clip",
+    "paths",
     "menu",
 )
 
 
 def wishes_of(action: str, *, shift: bool = False) -> list[Wish]:
     """Return what an action asks for when it is asked for once; nothing where it takes steps."""
+    if action == "camera" and shift:
+        return [Ask("follow")]
     if action in WINDOW:
         return [Ask(action)]
     if action in PLAIN:

@@ -243,8 +243,9 @@ def test_keys_of_another_mode_change_nothing(start):
 
 def test_while_balls_roll_nothing_can_be_set(start):
     session = struck(start("three_cushion"))
-    for command in (commands.Turn(5.0), commands.SetSpeed(1.0), commands.Confirm()):
+    for command in (commands.Turn(5.0), commands.SetSpeed(1.0), commands.MoveTip(0.1, 0.0)):
         assert do(session, command) == session
+    assert not do(session, commands.Confirm()).match.played[1:]
 
 
 def test_power_cannot_exceed_an_arm(start):

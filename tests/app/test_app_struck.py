@@ -66,7 +66,9 @@ def test_the_round_of_strikable_balls_comes_back_to_the_first(opened):
 
 def test_only_the_cue_ball_can_be_struck_elsewhere(start):
     session = _aiming(start("eight_ball"))
-    assert act(session, commands.StrikeNextBall(1)) == session
+    refused = act(session, commands.StrikeNextBall(1))
+    assert refused.note == "the rules let you strike no other ball than the cue ball"
+    assert replace(refused, note="") == session
     assert "struck" not in [one.action for one in buttons_of(session, Keymap())]
 
 
