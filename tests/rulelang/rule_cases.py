@@ -60,7 +60,12 @@ CAROM = Vocabulary(
     cushions=("head", "foot", "left", "right"),
     zones=("start",),
     spots=("head-spot", "centre-spot", "foot-spot", "start-left", "start-right"),
-    settings={"target": 40, "equalising-inning": True},
+    settings={
+        "target": 40,
+        "equalising-inning": True,
+        "innings-limit": 0,
+        "opening-by-cushion": False,
+    },
 )
 TABLES = {"eight_ball": POOL, "snooker": SNOOKER, "three_cushion": CAROM}
 
@@ -167,6 +172,7 @@ def spotted(decisions: Decisions, rest: Rest, vocabulary: Vocabulary) -> list[st
         if action.places[0].kind == "lay":
             found.append(action.ball)
             continue
+        tried = ""
         for place in action.places:
             spot = place.spot
             if place.kind == "highest-free":
@@ -174,13 +180,13 @@ def spotted(decisions: Decisions, rest: Rest, vocabulary: Vocabulary) -> list[st
                 free = [b.spot for b in own if b.spot and b.spot not in covered]
                 spot = free[0] if free else None
             if place.kind == "occupant":
-                taken = covered.get(action.places[0].spot or "")
-                spot = decisions.homes.get(taken or "")
+                spot = decisions.homes.get(covered.get(tried, ""))
             if place.kind == "near" or (spot is not None and spot not in covered):
                 word = "near" if place.kind == "near" else "at"
                 found.append(f"{action.ball} {word} {spot}")
                 covered[str(spot)] = action.ball
                 break
+            tried = spot or ""
     return found
 
 
