@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator
 from math import hypot
 from typing import TYPE_CHECKING
 
+from engine.game.contacts import nose_reach
+from engine.game.noses import lies_in_a_mouth, noses_of
 from engine.game.sight import View, path_to, snookering_balls
 from engine.game.situation import Rest, Situation, ball_to_strike
 from engine.game.spotting import Board, carry_out
@@ -85,7 +87,9 @@ def _view(
         return None
     radii = {one.id: one.radius for one in variant.world.balls}
     others = {other: at for other, at in rest.positions.items() if other != ball}
-    return View(origin, radii[ball], others, radii)
+    table, touch = variant.world.table, nose_reach(radii[ball], variant.world.table.nose_height)
+    hidden = any(lies_in_a_mouth(table, at, touch) for at in (origin, *others.values()))
+    return View(origin, radii[ball], others, radii, noses_of(table) if hidden else (), touch)
 
 
 def _views(variant: Variant, board: Board, ball: BallId, zone: str | None) -> Iterator[View]:

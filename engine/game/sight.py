@@ -7,13 +7,15 @@ the line of travel is below the two radii. Sources: WPBSA S2 R17 (snookered), S3
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asin, atan2, cos, hypot, sin, sqrt
+from math import asin, atan2, cos, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
+
+from engine.game.noses import reach_of_nose
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from engine.table.furniture import BallId, Point
+    from engine.table.furniture import BallId, Point, Shape
 
 EDGE = 1.0 - 1e-9
 SAMPLES = 41
@@ -21,12 +23,17 @@ SAMPLES = 41
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """What lies around a cue ball: its place, its radius, and the other balls (m)."""
+    """What lies around a cue ball: its place, its radius, and the other balls (m).
+
+    `noses` are those that can be in its way, `touch` how far (m) from one its centre is stopped.
+    """
 
     origin: Point
     radius: float
     others: Mapping[BallId, Point]
     radii: Mapping[BallId, float]
+    noses: tuple[Shape, ...] = ()
+    touch: float = 0.0
 
 
 def path_to(view: View, targets: Iterable[BallId]) -> str:
@@ -64,6 +71,7 @@ def snookering_balls(view: View, targets: Iterable[BallId]) -> tuple[BallId, ...
     The cue ball is not snookered if both edges of one target can be reached free of any ball
     that is not a target. Of several balls that hide one target the nearest counts (S2 R17(b));
     more than one ball is returned where different targets are hidden by different balls (R17(c)).
+    A ball behind a nose that stops the cue ball hides nothing (R17(e)).
     """
     wanted = frozenset(targets) & frozenset(view.others)
     effective: set[tuple[float, BallId]] = set()
@@ -82,7 +90,8 @@ def first_met(view: View, heading: float, among: Iterable[BallId] | None = None)
         for ball in (view.others if among is None else among)
         if (reach := _reach(view, ball, heading)) is not None
     )
-    return min(met, default=(0.0, None))[1]
+    far, ball = min(met, default=(0.0, None))
+    return ball if far < _nose_ahead(view, heading) else None
 
 
 def _obstacle(
@@ -92,6 +101,7 @@ def _obstacle(
     limit = _reach(view, target, heading)
     if limit is None:
         return None
+    limit = min(limit, _nose_ahead(view, heading))
     in_the_way = [
         (reach, ball)
         for ball in view.others
@@ -100,6 +110,12 @@ def _obstacle(
         and reach < limit
     ]
     return min(in_the_way, default=(0.0, None))[1]
+
+
+def _nose_ahead(view: View, heading: float) -> float:
+    if not view.noses:
+        return inf
+    return reach_of_nose(view.origin, heading, view.noses, view.touch)
 
 
 def _distance(view: View, ball: BallId) -> float:
