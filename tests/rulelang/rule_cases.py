@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,7 @@ from engine.game.phrases import parse_event
 from rulelang import evaluate
 from rulelang.compile import compile_script
 from rulelang.decisions import Decisions, Restore, Spot
+from rulelang.events import LeftTable, Pocketed, Rebounded, Settled, ZoneEntered, ZoneLeft
 from rulelang.facts import Call, Rest, Shot, Situation
 from rulelang.vocabulary import BallName, Vocabulary
 
@@ -204,13 +206,14 @@ def differences(path: Path, variant: str, program: Program | None = None) -> lis
         shot = shot_of(vocabulary, situation, told)
         if "choose" in told or situation.options:
             chosen = take(program, situation, told.get("choose", "play"), judged)
-            situation = after(situation, chosen, Rest(situation.zones, situation.frozen))
+            lying = replace(situation, on_table=situation.on_table | back(chosen))
+            situation = after(lying, chosen, Rest(situation.zones, situation.frozen))
             decisions, rest = chosen, judged[1].rest if judged else Rest()
             shot = shot_of(vocabulary, situation, told)
         if "choose" not in told or "events" in told:
             decisions, rest = evaluate.judge(program, situation, shot), shot.rest
             judged = (situation, shot, decisions)
-            situation = after(situation, decisions, rest)
+            situation = after(lying_after(situation, shot, decisions), decisions, rest)
         for key, expected in told["expect"].items():
             got = got_of(key, decisions, rest, vocabulary)
             if normal(key, expected) != normal(key, got, expected):
@@ -228,6 +231,29 @@ def take(program: Program, situation: Situation, option: str, judged: Any) -> De
     return evaluate.choose(program, situation, option, key, before, shot)
 
 
+def back(decisions: Decisions) -> frozenset[str]:
+    return frozenset(action.ball for action in decisions.table if isinstance(action, Spot))
+
+
+def lying_after(situation: Situation, shot: Shot, decisions: Decisions) -> Situation:
+    """Take off what fell or left the table, put back what is spotted, move between zones."""
+    down, zones = set(), dict(situation.zones)
+    for event in shot.events:
+        match event:
+            case Pocketed(ball) | LeftTable(ball) | Settled(ball):
+                down.add(ball)
+            case Rebounded(ball):
+                down.discard(ball)
+            case ZoneEntered(ball, zone):
+                zones[ball] = zones.get(ball, frozenset()) | {zone}
+            case ZoneLeft(ball, zone):
+                zones[ball] = zones.get(ball, frozenset()) - {zone}
+    cue_balls = {shot.struck}  # taken in hand, or put back
+    on_table = (situation.on_table - (down - cue_balls)) | back(decisions)
+    zones = {ball: where for ball, where in zones.items() if ball not in down | back(decisions)}
+    return replace(situation, on_table=on_table, zones=zones)
+
+
 def after(situation: Situation, decisions: Decisions, rest: Rest) -> Situation:
     return Situation(
         players=2,
@@ -238,6 +264,7 @@ def after(situation: Situation, decisions: Decisions, rest: Rest) -> Situation:
         state=decisions.state,
         settings=situation.settings,
         in_hand=decisions.in_hand.zone if decisions.in_hand else None,
+        zones=situation.zones,
         frozen=rest.frozen,
         options=tuple(o.option for o in decisions.offers),
     )
