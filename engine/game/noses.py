@@ -21,8 +21,8 @@ TINY = 1e-9
 
 def noses_of(table: Table) -> tuple[Shape, ...]:
     """Return all noses of a table, those of the jaws included."""
-    chains = (*table.cushions, *table.jaws)
-    return tuple(shape for chain in chains for shape in chain.shapes)
+    chains = (*(one.shapes for one in table.cushions), *(one.shapes for one in table.jaws))
+    return tuple(shape for chain in chains for shape in chain)
 
 
 def lies_in_a_mouth(table: Table, at: Point, touch: float) -> bool:
