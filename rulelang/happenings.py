@@ -46,14 +46,14 @@ class Happenings:
             base_node = s.Happened(subject.at, subject.subject.base, subject.verb)
         base = self.x.want(base_node, k.BALLS)
         telling, parts = self._telling(verb)
-        made = self._told(telling, base, how, number, negated=verb.negated)
+        made = self._told(telling, base, how, number)
         for part in (base, *parts):
             made.since = max(made.since, part.since)
             made.staged = made.staged or part.staged
             made.fouls = made.fouls or part.fouls
         return made
 
-    def _told(self, telling: Telling, base: Code, how: str, number: int, *, negated: bool) -> Code:
+    def _told(self, telling: Telling, base: Code, how: str, number: int) -> Code:
         subject, select, find, count = base.run, telling.select, telling.find, t.fits_set
 
         def chosen(c: Watch, lo: int, hi: int) -> int:
@@ -64,7 +64,8 @@ class Happenings:
             who = subject(c)
             hit = select(c, who, lo, hi)
             if how == "only":
-                everyone = select(c, c.balls, lo, hi)
+                alike = (c.balls if who & c.balls else 0) | (~c.balls if who & ~c.balls else 0)
+                everyone = select(c, alike, lo, hi)
                 return hit != 0 and everyone & ~who == 0
             return count(how, number, hit, who)
 
@@ -83,12 +84,6 @@ class Happenings:
             made.truth = lambda c: select(c, subject(c), BEGIN, END) != 0
         else:
             made.truth = lambda c: within(c, BEGIN, END)
-        if negated:
-            positive, inside = made.truth, within
-            made.kind, made.needs = k.FLAG, 0
-            made.truth = lambda c: not positive(c)
-            made.run = made.truth
-            made.within = lambda c, lo, hi: not inside(c, lo, hi)
         return made
 
     def _telling(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
@@ -189,7 +184,7 @@ class Happenings:
         word = node.verb.word
         self.x.after_shot(node, word)
         if word in t.FLAGS:
-            return self._told(t.bare(t.FLAGS[word]), _one(), "any", 0, negated=False)
+            return self._told(t.bare(t.FLAGS[word]), _one(), "any", 0)
         if word == "stroke was played":
             return _flag(lambda c: c.stroke)
         if word == "safety was called":
@@ -202,7 +197,7 @@ class Happenings:
         if isinstance(target, s.Quantified):
             how, count, target = target.how, target.count, target.base
         balls = self.x.want(target, k.BALLS)
-        made = self._told(t.bare(t.ALONE[word]), balls, how, count, negated=False)
+        made = self._told(t.bare(t.ALONE[word]), balls, how, count)
         made.kind = k.FLAG
         made.run = made.truth  # type: ignore[assignment]
         return made

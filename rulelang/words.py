@@ -39,7 +39,7 @@ WORDS = MappingProxyType(
         EVENT: (
             "pocketed", "hit", "pressed", "left", "entered", "crossed", "jumped", "rebounded",
             "started", "stayed", "placed", "toppled", "touched", "leaned", "followed", "played",
-            "called", "did", "cross", "enter", "leave", "again", "was", "touching", "frozen",
+            "called", "again", "was", "touching", "frozen",
             "standing", "together",
         ),
         QUANTITY: (

@@ -198,9 +198,6 @@ PHRASES: tuple[Phrase, ...] = (
         ("X placed in ZONE, X placed outside ZONE", "where a ball in hand was put; `zone` is"
          " that it had to lie in", "if cue ball placed outside zone: foul x"),
         ("PIN toppled", "fell, by whatever", "if left-pin toppled: foul x"),
-        ("X did not cross LINE, enter ZONE, leave table", "the negative of an event",
-         "if cue ball did not cross head-string: foul x\nif 8-ball did not leave table: foul y\n"
-         "if cue ball did not enter kitchen: foul z"),
         ("not EVENT", "the negative of the whole event",
          "if not cue ball hit any object ball: foul x"),
         ("A before B, A after B", "A in the stretch before (after) the first time that B happens;"

@@ -113,9 +113,6 @@ _CUSHION_VERBS = {"hit_cushion": "hit cushion", "pressed_cushion": "pressed cush
 def verb(node: Any) -> s.Verb:
     """Build an event phrase."""
     at, word = span(node), node.data
-    if word == "did_not":
-        inner = verb(node.children[0])
-        return s.Verb(at, inner.word, inner.target, inner.place, negated=True)
     if word in _TARGET_VERBS:
         return s.Verb(at, _TARGET_VERBS[word], expression(node.children[0]))
     if word in _PLACE_VERBS:

@@ -191,7 +191,6 @@ class Verb:
     word: str
     target: Expr | None = None
     place: str | None = None
-    negated: bool = False
 
 
 @value

@@ -25,7 +25,7 @@ PLACES = {
         "home of @ is x",
         "for each of (@, cue ball): spot it at x",
     ],
-    "line": ["if 9-ball crossed @: foul x", "if cue ball did not cross @: foul x"],
+    "line": ["if 9-ball crossed @: foul x"],
     "zone": [
         "if 9-ball entered @: foul x",
         "if 9-ball left @ after 9-ball entered @: foul x",

@@ -112,7 +112,7 @@ TRUTHS = [
     ("cue ball hit 3-ball", "3 pocketed foot-left; cue hits 3", False),
     ("cue ball hit pocketed ball", "3 pocketed foot-left; cue hits 3", True),
     ("stroke was played", "no stroke", False),
-    ("cue ball did not cross head-string", "cue crosses head-string", False),
+    ("not cue ball crossed head-string", "cue crosses head-string", False),
     ("number of object balls hit cushion is at least 2", "1 hits cushion foot", False),
     ("number of (stripes pocketed, 1-ball) is 2", "9 pocketed foot-left", True),
     ("value of stripes pocketed times 2 minus 1 is 17", "9 pocketed foot-left", True),
