@@ -114,13 +114,26 @@ def _slot(x: Expressions, *, staged: bool) -> int:
     return slot
 
 
+def _is_set(node: s.Expr) -> bool:
+    """Tell whether an event stands for those it happened to, not for how many they are."""
+    while isinstance(node, s.Happened):
+        if isinstance(node.subject, s.Quantified):
+            return node.subject.how == "any"
+        if not isinstance(node.subject, s.Happened):
+            return True
+        node = node.subject
+    return False
+
+
 def _case_value(x: Expressions, node: s.Expr) -> Code:
     made = x.value(node)
-    if made.truth is not None and not (isinstance(node, s.Happened) and made.kind == k.BALLS):
-        if made.kind == k.BALLS and not isinstance(node, s.Quantified):
+    if made.truth is not None and not (_is_set(node) and made.kind == k.BALLS):
+        counted = isinstance(node, s.Quantified | s.Happened)
+        if made.kind == k.BALLS and not counted:
             return made
         flag = derive(
-            made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases
-        )
+            made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases,
+            witness=made.witness,
+        )  # fmt: skip
         return flag if isinstance(node, s.Name) else x.watched(flag, node)
     return made

@@ -59,7 +59,7 @@ class Explanation(Sequence[RuleOutcome]):
         if self._outcomes is None:
             over = _ender(self._log)
             self._outcomes = tuple(
-                self._tell(rule, *_in_force(rule, over, *_fared(rule, fired, beaten)))
+                self._tell(rule, *_in_force(rule, over, *self._fared(rule, fired, beaten)))
                 for rules, fired, beaten in self._log
                 for rule in rules
             )
@@ -76,8 +76,18 @@ class Explanation(Sequence[RuleOutcome]):
         else:
             because, events = why(rule.outline, c, fired=outcome == "fired")
         if outcome == "fired":
-            said = tuple(said_of(c, one) for one in detail if not _is_empty(one))
+            said = tuple(said_of(c, one) for one in detail if not _is_empty(c, one))
         return outcome_of(rule.info, outcome, because, events, said)
+
+    def _fared(self, rule: CompiledRule, fired: Any, beaten: Any) -> tuple[str, Any]:
+        """Return how a rule fared, and its decisions or why it was overridden."""
+        for other, made in fired:
+            if other.number == rule.number:
+                nothing = made and all(_is_empty(self._watch, one) for one in made)
+                return ("silent", None) if nothing else ("fired", made)
+        if rule.number in beaten:
+            return "overridden", f'overridden by "{beaten[rule.number].info.name}"'
+        return "silent", None
 
     def _look(self, stage: int, *, late: bool) -> None:
         """Set the watch to what a section saw."""
@@ -102,16 +112,6 @@ def outcome_of(
     )
 
 
-def _fared(rule: CompiledRule, fired: Any, beaten: Any) -> tuple[str, Any]:
-    """Return how a rule fared, and its decisions or why it was overridden."""
-    for other, made in fired:
-        if other.number == rule.number:
-            return ("silent", None) if made and all(map(_is_empty, made)) else ("fired", made)
-    if rule.number in beaten:
-        return "overridden", f'overridden by "{beaten[rule.number].info.name}"'
-    return "silent", None
-
-
 def _ender(log: Any) -> str:
     """Return the rule that ended the game, "" where it goes on."""
     _, fired, _ = log[-1]
@@ -130,17 +130,18 @@ def _in_force(rule: CompiledRule, over: str, outcome: str, detail: Any) -> tuple
 
 VOID = ("turn", "phase", "hand", "offer", "rerack")
 """What is void when the game is over."""
-_COUNTED = ("spot", "remove", "set up", "strike")
 
 
-def _is_empty(decision: tuple[Any, ...]) -> bool:
-    """Tell whether a decision is one of nothing: no points, no balls."""
+def _is_empty(c: Watch, decision: tuple[Any, ...]) -> bool:
+    """Tell whether a decision is one of nothing: no points, no balls, pins that stand."""
     tag = decision[0]
     if tag == "points":
         return bool(decision[2] == 0)
     if tag == "write":
         return bool(decision[1] == "add" and decision[4] == 0)
-    return tag in _COUNTED and decision[1] == 0
+    if tag == "set up":
+        return not decision[1] & ~c.up_after
+    return tag in ("spot", "remove", "strike") and decision[1] == 0
 
 
 def said_of(c: Watch, decision: tuple[Any, ...]) -> str:
@@ -150,7 +151,8 @@ def said_of(c: Watch, decision: tuple[Any, ...]) -> str:
         case "foul":
             return f"foul {rest[0]}" + (f", {rest[1]}" if rest[1] else "")
         case "points":
-            return f"{rest[1]:+d} to player {rest[0]}"
+            side = "the side of " if c.mates > 1 else ""
+            return f"{rest[1]:+d} to {side}player {rest[0]}"
         case "write":
             return _written(*rest)
         case "turn":
@@ -161,7 +163,7 @@ def said_of(c: Watch, decision: tuple[Any, ...]) -> str:
         case "spot" | "remove":
             return f"{tag} " + balls(c, rest[0])
         case "set up":
-            return "set up " + balls(c, rest[0])
+            return "set up " + balls(c, rest[0] & ~c.up_after)
         case "hand":
             return f"player {rest[0]} has the cue ball in hand in {rest[1]}"
         case "offer":

@@ -275,6 +275,9 @@ def _amount(node: s.Statement, read: list[Code]) -> Code | None:
     if not counted and not isinstance(node, s.SpotBalls | s.RemoveBalls | s.SetUpPins):
         return None
     amount = read[-1] if isinstance(node, s.Write) else read[0]
+    if isinstance(node, s.SetUpPins):
+        pins = amount.run
+        return Code(k.BALLS, lambda c: pins(c) & ~c.up_after, text=f"{amount.text} not standing")
     return None if amount.constant else amount
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from rulelang.watch import Watch
 
-DEEPEST = 3
+DEEPEST = 2
 """So many defines are opened up inside each other."""
 WIDEST = 8
 """So many balls are named of a set; of the rest it is told how many they are."""
@@ -76,7 +76,7 @@ class Reason:
 
 def why(outline: Outline, c: Watch, *, fired: bool) -> tuple[str, tuple[int, ...]]:
     """Return why a rule fired, or why it did not, and the numbers of the events that count."""
-    reasons = [one for one in _walk(outline, c) if one.did is fired]
+    reasons = [one for one in _Teller(c).walk(outline) if one.did is fired]
     texts = list(dict.fromkeys(one.text for one in reasons if one.text))
     events = sorted({number for one in reasons for number in one.events})
     text = "; ".join(texts)
@@ -85,35 +85,101 @@ def why(outline: Outline, c: Watch, *, fired: bool) -> tuple[str, tuple[int, ...
     return text or "nothing to do", ()
 
 
-def _walk(outline: Outline, c: Watch) -> Iterator[Reason]:
-    for node in outline:
-        if isinstance(node, Branches):
-            yield from _branches(node, c)
-        elif isinstance(node, Loop):
-            yield from _loop(node, c)
-        elif node.amount is None:
-            yield Reason(did=True, text="")
-        else:
-            amount = node.amount
-            nothing = amount.run(c) == 0
-            yield Reason(did=not nothing, text=valued(amount, c) if nothing else "")
+class _Teller:
+    """Walks one outline; what a name stands for is told where it is met first."""
 
+    def __init__(self, c: Watch) -> None:
+        self.c = c
+        self.opened: set[str] = set()
 
-def _branches(node: Branches, c: Watch) -> Iterator[Reason]:
-    failed = []
-    for condition, body in node.cases:
-        if holds(condition, c):
-            here = Reason(
-                did=True, text=told(condition, c, held=True), events=tuple(witnessed(condition, c))
-            )
-            yield from _under(here, _walk(body, c))
+    def walk(self, outline: Outline) -> Iterator[Reason]:
+        for node in outline:
+            if isinstance(node, Branches):
+                yield from self.branches(node)
+            elif isinstance(node, Loop):
+                yield from self.loop(node)
+            else:
+                yield self.deed(node)
+
+    def deed(self, node: Deed) -> Reason:
+        amount = node.amount
+        if amount is None:
+            return Reason(did=True, text="")
+        nothing = amount.run(self.c) == 0
+        known = not nothing and amount.kind == k.BALLS
+        return Reason(did=not nothing, text="" if known else valued(amount, self.c))
+
+    def branches(self, node: Branches) -> Iterator[Reason]:
+        failed = []
+        for condition, body in node.cases:
+            if holds(condition, self.c):
+                events = tuple(witnessed(condition, self.c))
+                here = Reason(did=True, text=self.told(condition, held=True), events=events)
+                yield from _under(here, self.walk(body))
+                return
+            failed.append(self.told(condition, held=False))
+        text = "; ".join(dict.fromkeys(failed))
+        if node.otherwise is None:
+            yield Reason(did=False, text=text)
             return
-        failed.append(told(condition, c, held=False))
-    text = "; ".join(dict.fromkeys(failed))
-    if node.otherwise is None:
-        yield Reason(did=False, text=text)
-        return
-    yield from _under(Reason(did=True, text=f"otherwise ({text})"), _walk(node.otherwise, c))
+        yield from _under(Reason(did=True, text=f"otherwise ({text})"), self.walk(node.otherwise))
+
+    def loop(self, node: Loop) -> Iterator[Reason]:
+        """Yield each reason once, with those for whom it held."""
+        c, over = self.c, node.over
+        it, player = c.it, c.player
+        turns = list(range(1, c.players + 1)) if over is None else singles(over.run(c))
+        found: dict[tuple[bool, str], tuple[list[int], list[int]]] = {}
+        for one in turns:
+            if over is None:
+                c.player = one
+            else:
+                c.it = one
+            before = set(self.opened)
+            for reason in self.walk(node.body):
+                whom, events = found.setdefault((reason.did, reason.text), ([], []))
+                whom += [one] if one not in whom else []
+                events += reason.events
+            self.opened = before if one != turns[-1] else self.opened
+        c.it, c.player = it, player
+        if over is None:
+            yield from _gathered(found, _players)
+        elif turns:
+            yield from _gathered(found, lambda who: f"{balls(c, sum(who))} of {over.text}")
+        else:
+            yield Reason(did=False, text=f"{over.text}: nothing")
+
+    def told(self, code: Code, *, held: bool, depth: int = 0) -> str:
+        """Tell the parts that made a condition true, or those that made it false, with values."""
+        if code.word == "not":
+            return self.told(code.parts[0], held=not held, depth=depth)
+        if code.word in ("and", "or"):
+            parts = [part for part in code.parts if holds(part, self.c) is held]
+            parts = parts if (code.word == "and") is held else parts[:1]
+            return "; ".join(
+                dict.fromkeys(self.told(part, held=held, depth=depth) for part in parts)
+            )
+        if code.word == ASKED and held:
+            return code.text
+        yes = "yes" if held else "no"
+        if code.word == "define" and code.shown is not None:
+            inside = self.inside(code, code.shown, held=held, depth=depth)
+            return f"{code.text}: {yes}" + (f" ({inside})" if inside else "")
+        if code.word in ("shot", "fouls"):
+            fouls = ", ".join(foul.name for foul in self.c.fouls)
+            return f"{code.text}: {yes}" + (f" ({fouls})" if fouls else "")
+        values = ", ".join(valued(part, self.c) for part in _shown(code))
+        return f"{code.text}: {values or yes}"
+
+    def inside(self, code: Code, inner: Code, *, held: bool, depth: int) -> str:
+        """Tell what a define stands for, where it was not told before and is worth telling."""
+        if depth >= DEEPEST or code.text in self.opened:
+            return ""
+        self.opened.add(code.text)
+        if code.kind == k.BALLS:
+            found = code.run(self.c)
+            return balls(self.c, found) if held and found != self.c.cue else ""
+        return "" if inner.truth is None else self.told(inner, held=held, depth=depth + 1)
 
 
 def _under(above: Reason, inner: Iterable[Reason]) -> Iterator[Reason]:
@@ -124,28 +190,6 @@ def _under(above: Reason, inner: Iterable[Reason]) -> Iterator[Reason]:
             continue
         text = "; ".join(part for part in (above.text, one.text) if part)
         yield Reason(did=True, text=text, events=above.events + one.events)
-
-
-def _loop(node: Loop, c: Watch) -> Iterator[Reason]:
-    """Yield each reason once, with those for whom it held."""
-    it, player = c.it, c.player
-    over = node.over
-    turns = range(1, c.players + 1) if over is None else singles(over.run(c))
-    found: dict[tuple[bool, str], tuple[list[int], list[int]]] = {}
-    for one in turns:
-        if over is None:
-            c.player = one
-        else:
-            c.it = one
-        for reason in _walk(node.body, c):
-            whom, events = found.setdefault((reason.did, reason.text), ([], []))
-            whom += [one] if one not in whom else []
-            events += reason.events
-    c.it, c.player = it, player
-    if over is not None and not turns:
-        yield Reason(did=False, text=f"{over.text}: nothing")
-    names = _players if over is None else lambda who: balls(c, sum(who))
-    yield from _gathered(found, names)
 
 
 def _gathered(
@@ -165,37 +209,6 @@ def _gathered(
 def holds(code: Code, c: Watch) -> bool:
     """Tell whether a condition holds."""
     return code.truth is not None and bool(code.truth(c))
-
-
-def told(code: Code, c: Watch, *, held: bool, depth: int = 0) -> str:
-    """Tell the parts that made a condition true, or those that made it false, with values."""
-    if code.word == "not":
-        return told(code.parts[0], c, held=not held, depth=depth)
-    if code.word in ("and", "or"):
-        parts = [part for part in code.parts if holds(part, c) is held]
-        parts = parts if (code.word == "and") is held else parts[:1]
-        return "; ".join(dict.fromkeys(told(part, c, held=held, depth=depth) for part in parts))
-    yes = "yes" if held else "no"
-    if code.word == "define" and code.shown is not None:
-        inside = _inside(code, c, held=held, depth=depth)
-        return f"{code.text}: {yes}" + (f" ({inside})" if inside else "")
-    if code.word == ASKED and held:
-        return code.text
-    if code.word in ("shot", "fouls"):
-        return f"{code.text}: {yes}" + (f" ({_fouls(c)})" if c.fouls else "")
-    values = ", ".join(valued(part, c) for part in _shown(code))
-    return f"{code.text}: {values or yes}"
-
-
-def _inside(code: Code, c: Watch, *, held: bool, depth: int) -> str:
-    """Tell what a define holds for, where that is worth telling."""
-    inner = code.shown
-    if inner is None or depth >= DEEPEST:
-        return ""
-    if code.kind == k.BALLS:
-        found = code.run(c)
-        return balls(c, found) if held and found != c.cue else ""
-    return "" if inner.truth is None else told(inner, c, held=held, depth=depth + 1)
 
 
 def _shown(code: Code) -> list[Code]:
@@ -233,10 +246,6 @@ def balls(c: Watch, mask: int) -> str:
 
 def _players(numbers: list[int]) -> str:
     return ("player " if len(numbers) == 1 else "players ") + ", ".join(map(str, numbers))
-
-
-def _fouls(c: Watch) -> str:
-    return ", ".join(foul.name for foul in c.fouls)
 
 
 def witnessed(code: Code, c: Watch) -> list[int]:

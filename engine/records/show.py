@@ -55,6 +55,7 @@ def explain_text(outcome: Outcome, *, everything: bool = False) -> str:
         lines += _events(judged)
         lines += [f"  {line}" for line in verdict_lines(judged)]
         lines += _rules(judged.verdict.explanation, everything=everything)
+        lines += [f"  {one}" for one in defaults_of(judged)]
     lines += ["", *(f"differs: {one}" for one in outcome.differences)]
     return "\n".join(lines).rstrip()
 
@@ -79,7 +80,9 @@ def verdict_lines(judged: Judgement) -> Iterator[str]:
 def _short(value: object) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{name} {_short(one)}" for name, one in value.items())
-    return " ".join(map(str, value)) if isinstance(value, list) else str(value)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return " ".join(map(_short, value)) if isinstance(value, list) else str(value)
 
 
 def _rules(rules: Iterable[RuleOutcome], *, everything: bool) -> Iterator[str]:
@@ -92,6 +95,20 @@ def _rules(rules: Iterable[RuleOutcome], *, everything: bool) -> Iterator[str]:
         if rule.because:
             yield f"      because {rule.because}{seen}"
         yield from (f"      -> {said}" for said in rule.said)
+
+
+def defaults_of(judged: Judgement) -> Iterator[str]:
+    """Yield what holds because no rule says otherwise."""
+    verdict = judged.verdict
+    stroke = any(one.section != "choice" for one in verdict.explanation)
+    decided = any(
+        said.startswith("turn ")
+        for one in verdict.explanation
+        if one.outcome == "fired"
+        for said in one.said
+    )
+    if stroke and not decided and not verdict.after.over:
+        yield "default: no rule keeps the turn, so it passes"
 
 
 def _seen(events: Sequence[int]) -> str:
@@ -114,6 +131,7 @@ def explain_json(outcome: Outcome) -> dict[str, object]:
                 "verdict": expectation(judged.verdict, judged.before),
                 "fouls": [asdict(foul) for foul in judged.verdict.fouls],
                 "rules": [asdict(rule) for rule in judged.verdict.explanation],
+                "defaults": list(defaults_of(judged)),
             }
             for judged in outcome.judgements
         ],

@@ -52,8 +52,12 @@ def test_a_loop_over_balls_tells_those_it_was_for_in_the_order_of_the_variant():
         "            if it is one of stripes: spot it at foot-spot\n"
     )
     pocketed = "10 pocketed foot-left; 9 pocketed foot-left; 1 pocketed foot-left"
-    assert because(script, pocketed) == "for 9, 10: it is one of stripes: yes"
-    assert because(script, "1 pocketed foot-left") == "for 1: it is one of stripes: no"
+    assert because(script, pocketed) == (
+        "for 9, 10 of object balls pocketed: it is one of stripes: yes"
+    )
+    assert because(script, "1 pocketed foot-left") == (
+        "for 1 of object balls pocketed: it is one of stripes: no"
+    )
     assert because(script, "cue hits 1") == "object balls pocketed: nothing"
 
 
@@ -185,7 +189,7 @@ def test_telling_changes_nothing_and_may_be_asked_again():
     first = tuple(made.explanation)
     assert made.points == (2, 0)
     assert tuple(made.explanation) == first
-    assert first[0].because == "for 1, 2"
+    assert first[0].because == "for 1, 2 of object balls pocketed"
 
 
 def test_a_shared_script_says_which_book_its_sections_belong_to():
@@ -212,3 +216,54 @@ SHARED = {
     "fouls": 'cites "Pool"\nuses "more"\nrule "A" [3.1, 2.2]: if cue ball pocketed: foul scratch\n',
     "more": 'rule "C" [Here 7]: if 9-ball pocketed: foul bad-third\n',
 }
+
+
+def test_pins_that_stand_are_not_set_up_again():
+    script = 'table:\n    rule "A": set up pins\n'
+    table = replace(POOL, pins=("left-pin", "right-pin"))
+    program = compile_script(script, "script.rules", table, nothing_to_use)
+
+    def outcome(events):
+        shot = Shot("cue", tuple(parse_event(text) for text in events))
+        return judge(program, before_of(program), shot).explanation[0]
+
+    fallen = outcome(["cue hits 1", "1 topples left-pin"])
+    assert fallen.said == ("set up left-pin",)
+    standing = outcome(["cue hits 1"])
+    assert (standing.outcome, standing.because) == ("silent", "pins not standing was nothing")
+
+
+def test_a_define_is_opened_once_in_a_rule():
+    script = (
+        "define dry when no object ball pocketed\n"
+        "define wet when not dry and 8-ball pocketed\n"
+        'turn:\n    rule "A": if dry and not wet: turn continues\n'
+    )
+    assert because(script, "cue hits 1") == (
+        "dry: yes (no object ball pocketed: yes); wet: no (dry: yes)"
+    )
+
+
+def test_what_is_awarded_is_told_with_the_expression():
+    script = (
+        'points:\n    rule "A":\n'
+        "        if shot is legal: award value of object balls pocketed to shooter\n"
+    )
+    told_because = because(script, "9 pocketed foot-left")
+    assert told_because == "shot is legal: yes; value of object balls pocketed was 9"
+
+
+def test_a_define_of_how_many_is_true_by_their_number():
+    for quantifier, events, true in (
+        ("no object ball", "cue hits 1", True),
+        ("no object ball", "1 pocketed foot-left", False),
+        ("at least 2 object balls", "1 pocketed foot-left", False),
+        ("at least 2 object balls", "1 pocketed foot-left; 2 pocketed foot-left", True),
+        ("only stripes", "9 pocketed foot-left; 1 pocketed foot-left", False),
+    ):
+        script = f"define d when {quantifier} pocketed\nturn: if d: turn continues\n"
+        assert play(script, events).continues is true, (quantifier, events)
+    assert play(
+        "define d as balls pocketed\nturn: if number of d is 2: turn continues\n",
+        "1 pocketed foot-left; 2 pocketed foot-left",
+    ).continues
