@@ -13,6 +13,7 @@ import click
 from engine.game.phrases import format_event
 from engine.records.golden import DIFFERENT, UNUSABLE, Result
 from engine.records.say import expectation
+from engine.records.write import shot_table
 from rulelang.diagnostics import render
 
 if TYPE_CHECKING:
@@ -51,13 +52,23 @@ def explain_text(outcome: Outcome, *, everything: bool = False) -> str:
         [outcome.record.title, f"Sections of: {rulebook}"] if rulebook else [outcome.record.title]
     )
     for number, judged in enumerate(outcome.judgements, 1):
-        lines += ["", f"Shot {number}, player {judged.before.shooter}"]
+        phase = f", phase {judged.before.phase}" if judged.before.phase else ""
+        lines += ["", f"Shot {number}, player {judged.before.shooter}{phase}"]
+        lines += [f"  {key}: {_short(value)}" for key, value in told_of(judged).items()]
         lines += _events(judged)
         lines += [f"  {line}" for line in verdict_lines(judged)]
         lines += _rules(judged.verdict.explanation, everything=everything)
-        lines += [f"  {one}" for one in defaults_of(judged)]
+        lines += [f"  default: {one}" for one in defaults_of(judged)]
     lines += ["", *(f"differs: {one}" for one in outcome.differences)]
     return "\n".join(lines).rstrip()
+
+
+def told_of(judged: Judgement) -> dict[str, object]:
+    """Return what was told of a shot besides its events: choice, call, placing, facts."""
+    known = shot_table(judged.shot)
+    return {
+        key: known[key] for key in ("choose", "call", "struck", "place", "facts") if key in known
+    }
 
 
 def _events(judged: Judgement) -> Iterator[str]:
@@ -108,7 +119,7 @@ def defaults_of(judged: Judgement) -> Iterator[str]:
         for said in one.said
     )
     if stroke and not decided and not verdict.after.over:
-        yield "default: no rule keeps the turn, so it passes"
+        yield "no rule keeps the turn, so it passes"
 
 
 def _seen(events: Sequence[int]) -> str:
@@ -127,6 +138,8 @@ def explain_json(outcome: Outcome) -> dict[str, object]:
         "shots": [
             {
                 "player": judged.before.shooter,
+                "phase": judged.before.phase,
+                "told": told_of(judged),
                 "events": [format_event(event) for event in judged.verdict.events],
                 "verdict": expectation(judged.verdict, judged.before),
                 "fouls": [asdict(foul) for foul in judged.verdict.fouls],
