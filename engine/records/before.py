@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from engine.records.names import Names
     from engine.records.spec import BeforeSpec, RecordSpec, Value
     from engine.variant.locate import KeyPath
+    from rulelang.vocabulary import Tracked
 
 UNKNOWN_KEY = -1
 """Marks an offer that a record puts on the table, whose rule is found by its option."""
@@ -78,6 +79,7 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
         on_table=_on_table(names, spec, (*path, "on_table")),
         state={
             **start_state(names.variant, opened.players),
+            **_of_the_match(names, opened),
             **names.state(spec.state, opened.players, (*path, "state")),
         },
         rest=take_up_positions(names.variant, rest, positions),
@@ -91,6 +93,12 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
         return situation
     announced = announce(names.variant, situation)
     return replace(announced, offers=offers) if "options" in spec.model_fields_set else announced
+
+
+def _of_the_match(names: Names, opened: Situation) -> Mapping[str, Tracked]:
+    """Return what the start of the match set, by settings for one; no game changes its start."""
+    tracked = names.variant.program.tracked
+    return {n: value for n, value in opened.state.items() if tracked[n].scope == "match"}
 
 
 def _on_table(names: Names, spec: BeforeSpec, path: KeyPath) -> frozenset[BallId]:
