@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
-from engine.render.raster import SNAP, by_height, corners_of, fill_flat, rows_of, span_of
+from engine.render.raster import SNAP, by_height, corners_of, fill_flat, rows_of, slopes_of, span_of
 from engine.render.shading import light_at, mix, texel
 
 if TYPE_CHECKING:
@@ -51,9 +51,15 @@ def paint_part(
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         count = corners_of(seen, screen, a, b, c, focal, near, width, height, corner)
         for part in range(count - 2):
-            fill_flat(
-                image, box, corner[0], corner[part + 1], corner[part + 2], shades[f], lights[f, 1]
+            corners = (
+                corner[0, 0],
+                corner[0, 1],
+                corner[part + 1, 0],
+                corner[part + 1, 1],
+                corner[part + 2, 0],
+                corner[part + 2, 1],
             )
+            fill_flat(image, box, corners, shades[f], lights[f, 1])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -120,36 +126,36 @@ def place_spheres(
 def fill_skin(
     image: Pixels,
     box: tuple[int, int, int, int],
-    p: Floats,
-    q: Floats,
-    r: Floats,
-    own: Floats,
+    corners: tuple[float, float, float, float, float, float],
+    own: tuple[float, float, float, float, float, float, float, float, float],
     light: float,
     shine: float,
     skins: Bytes,
     offset: int,
     size: int,
 ) -> None:
-    """Fill one triangle with a skin under one light; `own` (3, 3): directions at its corners."""
+    """Fill one triangle with a skin under one light; `own` are directions at its corners."""
     left, top, right, bottom = box
-    x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
-    if cross == 0.0 or max(x0, x1, x2) < left or min(x0, x1, x2) > right:
-        return
-    ax, ay, bx, by = q[0] - p[0], q[1] - p[1], r[0] - p[0], r[1] - p[1]
-    scale = 1.0 / (ax * by - bx * ay)
+    px, py, qx, qy, rx, ry = corners
+    x0, y0, x1, y1, x2, y2, cross = by_height(px, py, qx, qy, rx, ry)
     first, last = rows_of(y0, y2, top, bottom)
+    if cross == 0.0 or first >= last or max(x0, x1, x2) < left or min(x0, x1, x2) > right:
+        return
+    ax, ay, bx, by = qx - px, qy - py, rx - px, ry - py
+    scale = 1.0 / (ax * by - bx * ay)
+    slopes = slopes_of(x0, y0, x1, y1, x2, y2)
     for y in range(first, last):
-        begin, end = span_of(y, left, right, x0, y0, x1, y1, x2, y2, cross)
+        begin, end = span_of(y, left, right, x0, y0, x1, y1, y2, cross, slopes)
         for x in range(begin, end):
-            dx, dy = x + 0.5 - p[0], y + 0.5 - p[1]
+            dx, dy = x + 0.5 - px, y + 0.5 - py
             s, t = (dx * by - dy * bx) * scale, (dy * ax - dx * ay) * scale
             rest = 1.0 - s - t
             at = texel(
                 offset,
                 size,
-                own[0, 0] * rest + own[1, 0] * s + own[2, 0] * t,
-                own[0, 1] * rest + own[1, 1] * s + own[2, 1] * t,
-                own[0, 2] * rest + own[1, 2] * s + own[2, 2] * t,
+                own[0] * rest + own[3] * s + own[6] * t,
+                own[1] * rest + own[4] * s + own[7] * t,
+                own[2] * rest + own[5] * s + own[8] * t,
             )
             image[y, x] = mix(
                 float(skins[at]), float(skins[at + 1]), float(skins[at + 2]), light, shine
@@ -165,6 +171,8 @@ def paint_sphere(
     last: int,
     first_point: int,
     first_face: int,
+    point_shift: int,
+    face_shift: int,
     triangles: Ints,
     faces: Ints,
     points: Floats,
@@ -177,23 +185,39 @@ def paint_sphere(
 ) -> None:
     """Fill a sphere's triangles first to last; `upper_half`: only those above the ground.
 
-    `screen` and `light` are the sphere's own corners and faces; `first_point` and `first_face` are
-    the unit sphere's first ones among all `points`.
+    `first_point` and `first_face` are the unit sphere's first ones among all `points`,
+    `point_shift` and `face_shift` the sphere's own first ones in `screen` and `light`.
     """
-    own = np.empty((3, 3))
     red, green, blue = float(colour[0]), float(colour[1]), float(colour[2])
     for t in range(first, last):
-        f = faces[t] - first_face
+        f = faces[t] - first_face + face_shift
         if light[f, 0] == HIDDEN or (upper_half and light[f, 2] < 0.0):
             continue
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        p, q, r = screen[a - first_point], screen[b - first_point], screen[c - first_point]
+        shift = point_shift - first_point
+        corners = (
+            screen[a + shift, 0],
+            screen[a + shift, 1],
+            screen[b + shift, 0],
+            screen[b + shift, 1],
+            screen[c + shift, 0],
+            screen[c + shift, 1],
+        )
         if size > 0:
-            for k in range(3):
-                own[0, k], own[1, k], own[2, k] = points[a, k], points[b, k], points[c, k]
-            fill_skin(image, box, p, q, r, own, light[f, 0], light[f, 1], skins, offset, size)
+            own = (
+                points[a, 0],
+                points[a, 1],
+                points[a, 2],
+                points[b, 0],
+                points[b, 1],
+                points[b, 2],
+                points[c, 0],
+                points[c, 1],
+                points[c, 2],
+            )
+            fill_skin(image, box, corners, own, light[f, 0], light[f, 1], skins, offset, size)
         else:
-            fill_flat(image, box, p, q, r, mix(red, green, blue, light[f, 0], light[f, 1]), 1.0)
+            fill_flat(image, box, corners, mix(red, green, blue, light[f, 0], light[f, 1]), 1.0)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -260,11 +284,13 @@ def paint_items(
                 unit_starts[unit + 1, 1],
                 unit_starts[unit, 0],
                 unit_starts[unit, 2],
+                ball_starts[s, 0],
+                ball_starts[s, 1],
                 unit_triangles,
                 unit_faces,
                 unit_points,
-                ball_screen[ball_starts[s, 0] :],
-                ball_light[ball_starts[s, 1] :],
+                ball_screen,
+                ball_light,
                 colours[s],
                 skins,
                 skin_places[s, 0],

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.render import raster, shading
+from engine.render.groups import Groups, by_face
 
 if TYPE_CHECKING:
     from engine.render.arrays import Floats, Ints, Pixels
@@ -23,6 +24,7 @@ class Placed:
     """
 
     pack: Pack
+    groups: Groups
     seen: Floats
     screen: Floats
     shades: Pixels
@@ -41,8 +43,19 @@ class Placed:
         return np.array([[*low, *high]]).astype(np.int32)
 
 
-def place(pack: Pack, view: View, lamps: Floats, ambient: float, *, lit: bool) -> Placed:
-    """Return a pack on the screen; where not `lit`, only tints have their shades."""
+def place(
+    pack: Pack,
+    view: View,
+    lamps: Floats,
+    ambient: float,
+    groups: Groups | None = None,
+    *,
+    lit: bool,
+) -> Placed:
+    """Return a pack on the screen; where not `lit`, only tints have their shades.
+
+    Without `groups` every face is one.
+    """
     seen, screen = np.zeros((len(pack.points), 3)), np.zeros((len(pack.points), 3))
     raster.project_points(pack.points, *view.numbers, seen, screen)
     shades = np.zeros(len(pack.face_normals), np.uint32)
@@ -57,4 +70,4 @@ def place(pack: Pack, view: View, lamps: Floats, ambient: float, *, lit: bool) -
         ambient,
         shades,
     )
-    return Placed(pack, seen, screen, shades)
+    return Placed(pack, groups or by_face(pack), seen, screen, shades)

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 
 SNAP = 256.0
+FEW = 12
+"""Pixels of a row that are filled one by one, without a view of the row."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -125,20 +127,20 @@ def span_of(
     y0: float,
     x1: float,
     y1: float,
-    x2: float,
     y2: float,
     cross: float,
+    slopes: tuple[float, float, float],
 ) -> tuple[int, int]:
     """Return the first pixel and the one after the last of a row, within `begin` and `end`.
 
-    The corners come as from `by_height`.
+    The corners come as from `by_height`, with their `slopes_of`.
     """
     middle = y + 0.5
-    along = x0 + (middle - y0) * ((x2 - x0) / (y2 - y0))
+    along = x0 + (middle - y0) * slopes[0]
     if middle <= y1:
-        aside = x0 + (middle - y0) * ((x1 - x0) / (y1 - y0)) if y1 > y0 else x1
+        aside = x0 + (middle - y0) * slopes[1] if y1 > y0 else x1
     else:
-        aside = x1 + (middle - y1) * ((x2 - x1) / (y2 - y1)) if y2 > y1 else x1
+        aside = x1 + (middle - y1) * slopes[2] if y2 > y1 else x1
     left, right = (along, aside) if cross > 0.0 else (aside, along)
     left = min(max(left, begin), end + 1.0)
     right = min(max(right, begin), end + 1.0)
@@ -154,34 +156,50 @@ def rows_of(y0: float, y2: float, top: int, bottom: int) -> tuple[int, int]:
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
+def slopes_of(
+    x0: float, y0: float, x1: float, y1: float, x2: float, y2: float
+) -> tuple[float, float, float]:
+    """Return x per y of the long edge, the upper and the lower one; corners as `by_height`."""
+    long = (x2 - x0) / (y2 - y0) if y2 > y0 else 0.0
+    upper = (x1 - x0) / (y1 - y0) if y1 > y0 else 0.0
+    lower = (x2 - x1) / (y2 - y1) if y2 > y1 else 0.0
+    return long, upper, lower
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
 def fill_flat(
     image: Pixels,
     box: tuple[int, int, int, int],
-    p: Floats,
-    q: Floats,
-    r: Floats,
+    corners: tuple[float, float, float, float, float, float],
     colour: np.uint32,
     share: float,
 ) -> None:
     """Fill one triangle with one colour, or mix it in where `share` is less than 1.
 
-    `box` is the first column and row that may be touched, and those after the last.
+    `box` is the first column and row that may be touched, and those after the last; `corners` are
+    x and y of each.
     """
     left, top, right, bottom = box
-    x0, y0, x1, y1, x2, y2, cross = by_height(p[0], p[1], q[0], q[1], r[0], r[1])
-    if cross == 0.0 or max(x0, x1, x2) < left or min(x0, x1, x2) > right:
+    ax, ay, bx, by, cx, cy = corners
+    if max(ax, bx, cx) < left or min(ax, bx, cx) > right:
         return
+    x0, y0, x1, y1, x2, y2, cross = by_height(ax, ay, bx, by, cx, cy)
     first, last = rows_of(y0, y2, top, bottom)
+    if cross == 0.0 or first >= last:
+        return
+    slopes = slopes_of(x0, y0, x1, y1, x2, y2)
     part = np.uint32(share * 256.0)
     for y in range(first, last):
-        begin, end = span_of(y, left, right, x0, y0, x1, y1, x2, y2, cross)
-        if begin >= end:
-            continue
-        row = image[y, begin:end]
-        if share >= 1.0:
+        begin, end = span_of(y, left, right, x0, y0, x1, y1, y2, cross, slopes)
+        if share >= 1.0 and end - begin < FEW:
+            for x in range(begin, end):
+                image[y, x] = colour
+        elif share >= 1.0:
+            row = image[y, begin:end]
             for i in range(row.shape[0]):
                 row[i] = colour
-        else:
+        elif begin < end:
+            row = image[y, begin:end]
             for i in range(row.shape[0]):
                 row[i] = blend(row[i], colour, part)
 

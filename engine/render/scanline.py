@@ -15,6 +15,7 @@ import numpy as np
 
 from engine.render import depth_kernels, disc_kernels, sphere_kernels
 from engine.render.bands import Bands
+from engine.render.groups import Groups, by_surface
 from engine.render.image import Canvas, Picture, Target
 from engine.render.keep import Kept
 from engine.render.pack import join
@@ -54,6 +55,7 @@ class Scanline:
         self._kept = Kept(on=keeps)
         self._strokes, self._still_strokes = Strokes(), Strokes()
         self._backdrop = Backdrop()
+        self._grouped: tuple[Pack, Groups] | None = None
         self._depth: Singles = np.zeros((1, 1), np.float32)
         self._drawn: Ints = np.zeros((0, 4), np.int32)
 
@@ -112,9 +114,22 @@ class Scanline:
         strokes.add_lines(lines)
         return _Still(
             background=self._backdrop.rows(scene.background, frame.view.size[1]),
-            placed=place(fixed, frame.view, frame.lamps, scene.ambient, lit=self._flat),
+            placed=place(
+                fixed,
+                frame.view,
+                frame.lamps,
+                scene.ambient,
+                None if self._flat else self._groups_of(fixed),
+                lit=self._flat,
+            ),
             strokes=strokes,
         )
+
+    def _groups_of(self, fixed: Pack) -> Groups:
+        """Return the surfaces of what never moves, worked out once."""
+        if self._grouped is None or self._grouped[0] is not fixed:
+            self._grouped = fixed, by_surface(fixed)
+        return self._grouped[1]
 
     def _prepare(self, scene: Scene, target: Target) -> _Frame:
         view = view_of(scene.camera, target.size)
@@ -238,6 +253,10 @@ class _Frame:
             depth,
             top,
             bottom,
+            placed.groups.order,
+            placed.groups.starts,
+            placed.groups.edges,
+            placed.groups.edge_starts,
             placed.seen,
             placed.screen,
             pack.triangles,

@@ -40,6 +40,7 @@ def light_at(
     vx, vy, vz = eye[0] - px, eye[1] - py, eye[2] - pz
     size = 1.0 / np.sqrt(vx * vx + vy * vy + vz * vz)
     vx, vy, vz = vx * size, vy * size, vz * size
+    facing = vx * nx + vy * ny + vz * nz
     for k in range(len(lamps)):
         lx, ly, lz = lamps[k, 0] - px, lamps[k, 1] - py, lamps[k, 2] - pz
         square = lx * lx + ly * ly + lz * lz
@@ -48,13 +49,13 @@ def light_at(
             continue
         light += lamps[k, 3] * toward / square
         if gloss > 0.0:
+            # |L/|L| + V|^2 is 2 + 2 cos of the angle between them
             size = 1.0 / np.sqrt(square)
-            hx, hy, hz = lx * size + vx, ly * size + vy, lz * size + vz
-            half = (hx * nx + hy * ny + hz * nz) / np.sqrt(hx * hx + hy * hy + hz * hz)
-            if half > 0.0:
-                for _ in range(SHINE):
-                    half *= half
-                shine += half * gloss
+            half = toward * size + facing
+            half = half * half / (2.0 + 2.0 * size * (lx * vx + ly * vy + lz * vz))
+            for _ in range(SHINE - 1):
+                half *= half
+            shine += half * gloss
     return light, shine
 
 

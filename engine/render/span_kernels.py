@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
+from engine.render.raster import blend
 from engine.render.shading import light_at, mix
 
 if TYPE_CHECKING:
@@ -48,6 +49,16 @@ def flat_span(
         old = depths[i]
         row[i] = shade if new > old else row[i]
         depths[i] = new if new > old else old  # noqa: FURB136  a choice vectorises
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def tint_span(
+    row: Pixels, depths: Singles, w: np.float32, dw: np.float32, shade: np.uint32, part: np.uint32
+) -> None:
+    """Mix `part` / 256 of one colour into a span where nothing nearer is."""
+    for i in range(row.shape[0]):
+        old = row[i]
+        row[i] = blend(old, shade, part) if w + dw * np.float32(i) > depths[i] else old
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -122,15 +133,16 @@ def add_shine(
 ) -> None:
     """Add one lamp's highlight on a flat face to a span.
 
-    The cosine between the ways to lamp and eye follows from the three sides of their triangle.
+    The cosine to the bisector of the ways L to the lamp and V to the eye, squared, is
+    (|V| N.L + |L| N.V)^2 / (2 |L| |V| (|L| |V| + L.V)), and L.V follows from the triangle's sides.
     """
     for i in range(white_of.shape[0]):
         square = square_of[i]
         lamp = square - (first + grow * steps[i]) * depth_of[i] + far
-        to_lamp, to_eye = ONE / np.sqrt(lamp), ONE / np.sqrt(square)
-        cosine = (lamp + square - far) * HALF * to_lamp * to_eye
-        half = (height * to_lamp + rise * to_eye) / np.sqrt(TWO + TWO * cosine)
-        half *= half
+        to_lamp, to_eye = np.sqrt(lamp), np.sqrt(square)
+        both = to_lamp * to_eye
+        half = height * to_eye + rise * to_lamp
+        half = half * half / (both * (TWO * both + lamp + square - far))
         half *= half
         half *= half
         half *= half

@@ -88,11 +88,15 @@ def draw_spheres(
     for s in order:
         radius = radii[s]
         cx, cy, cz = seen[s, 0], seen[s, 1], seen[s, 2]
-        rest = cx * cx + cy * cy + cz * cz - radius * radius
         if cz - radius < near:
             continue
+        px, py, pz = centres[s, 0], centres[s, 1], centres[s, 2]
+        m = rotations[s]
+        red, green, blue = float(colours[s, 0]), float(colours[s, 1]), float(colours[s, 2])
+        offset, size, shine_of = skin_places[s, 0], skin_places[s, 1], float(gloss[s])
+        rest = cx * cx + cy * cy + cz * cz - radius * radius
         # pixels per unit of the discriminant, at the outline
-        sharp = focal / (2.0 * radius * np.sqrt(rest))
+        sharp, small = focal / (2.0 * radius * np.sqrt(rest)), 1.0 / radius
         for y in range(max(boxes[s, 1], top), min(boxes[s, 3], bottom)):
             v = (y + 0.5 - height * 0.5) / focal
             for x in range(boxes[s, 0], boxes[s, 2]):
@@ -107,76 +111,37 @@ def draw_spheres(
                 inverse = np.float32(1.0 / z)
                 if inverse <= depth[y, x]:
                     continue
-                ox, oy, oz = (u * z - cx) / radius, (v * z - cy) / radius, (z - cz) / radius
+                ox, oy, oz = (u * z - cx) * small, (v * z - cy) * small, (z - cz) * small
                 nx = basis[0, 0] * ox + basis[1, 0] * oy + basis[2, 0] * oz
                 ny = basis[0, 1] * ox + basis[1, 1] * oy + basis[2, 1] * oz
                 nz = basis[0, 2] * ox + basis[1, 2] * oy + basis[2, 2] * oz
-                new = shade_sphere(
-                    s,
+                if size > 0:
+                    at = texel(
+                        offset,
+                        size,
+                        m[0, 0] * nx + m[1, 0] * ny + m[2, 0] * nz,
+                        m[0, 1] * nx + m[1, 1] * ny + m[2, 1] * nz,
+                        m[0, 2] * nx + m[1, 2] * ny + m[2, 2] * nz,
+                    )
+                    red, green, blue = float(skins[at]), float(skins[at + 1]), float(skins[at + 2])
+                light, shine = light_at(
+                    px + nx * radius,
+                    py + ny * radius,
+                    pz + nz * radius,
                     nx,
                     ny,
                     nz,
-                    centres,
-                    rotations,
-                    radii,
-                    colours,
-                    gloss,
-                    skins,
-                    skin_places,
+                    eye,
                     lamps,
                     ambient,
-                    eye,
+                    shine_of,
                 )
+                new = mix(red, green, blue, light, shine)
                 if cover < 1.0:
                     new = blend(image[y, x], new, np.uint32(cover * 256.0))
                 image[y, x] = new
                 if cover > 0.5:
                     depth[y, x] = inverse
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def shade_sphere(
-    s: int,
-    nx: float,
-    ny: float,
-    nz: float,
-    centres: Floats,
-    rotations: Floats,
-    radii: Floats,
-    colours: Bytes,
-    gloss: Singles,
-    skins: Bytes,
-    skin_places: Ints,
-    lamps: Floats,
-    ambient: float,
-    eye: Floats,
-) -> np.uint32:
-    """Return the colour of a sphere's point with the normal (nx, ny, nz)."""
-    red, green, blue = float(colours[s, 0]), float(colours[s, 1]), float(colours[s, 2])
-    offset, size = skin_places[s, 0], skin_places[s, 1]
-    if size > 0:
-        m = rotations[s]
-        at = texel(
-            offset,
-            size,
-            m[0, 0] * nx + m[1, 0] * ny + m[2, 0] * nz,
-            m[0, 1] * nx + m[1, 1] * ny + m[2, 1] * nz,
-            m[0, 2] * nx + m[1, 2] * ny + m[2, 2] * nz,
-        )
-        red, green, blue = float(skins[at]), float(skins[at + 1]), float(skins[at + 2])
-    light, shine = light_at(
-        centres[s, 0] + nx * radii[s],
-        centres[s, 1] + ny * radii[s],
-        centres[s, 2] + nz * radii[s],
-        nx,
-        ny,
-        nz,
-        eye,
-        lamps,
-        ambient,
-        float(gloss[s]),
-    )
-    return mix(red, green, blue, light, shine)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

@@ -13,8 +13,8 @@ def hits(triangles):
     total = np.zeros((HEIGHT, WIDTH), int)
     for triangle in triangles:
         image = np.zeros((HEIGHT, WIDTH), np.uint32)
-        p, q, r = (np.round(np.array([*c, 1.0]) * 256) / 256 for c in triangle)
-        raster.fill_flat(image, (0, 0, WIDTH, HEIGHT), p, q, r, np.uint32(1), 1.0)
+        corners = tuple(float(v) for c in triangle for v in np.round(np.array(c) * 256) / 256)
+        raster.fill_flat(image, (0, 0, WIDTH, HEIGHT), corners, np.uint32(1), 1.0)
         total += image
     return total
 
@@ -48,8 +48,8 @@ def test_a_crumpled_grid_hits_each_pixel_once(seed):
 
 def test_a_band_of_rows_is_not_left():
     image = np.zeros((HEIGHT, WIDTH), np.uint32)
-    p, q, r = np.array([-50.0, -50, 1]), np.array([300.0, -20, 1]), np.array([20.0, 400, 1])
-    raster.fill_flat(image, (0, 30, WIDTH, 50), p, q, r, np.uint32(7), 1.0)
+    corners = (-50.0, -50.0, 300.0, -20.0, 20.0, 400.0)
+    raster.fill_flat(image, (0, 30, WIDTH, 50), corners, np.uint32(7), 1.0)
     assert not image[:30].any()
     assert not image[50:].any()
     assert image[30:50].any()
@@ -57,8 +57,8 @@ def test_a_band_of_rows_is_not_left():
 
 def test_half_a_share_mixes_half():
     image = np.full((8, 8), 0x204060, np.uint32)
-    p, q, r = np.array([-9.0, -9, 1]), np.array([30.0, -9, 1]), np.array([-9.0, 30, 1])
-    raster.fill_flat(image, (0, 0, 8, 8), p, q, r, np.uint32(0x6080A0), 0.5)
+    corners = (-9.0, -9.0, 30.0, -9.0, -9.0, 30.0)
+    raster.fill_flat(image, (0, 0, 8, 8), corners, np.uint32(0x6080A0), 0.5)
     assert image[0, 0] == 0x406080
 
 

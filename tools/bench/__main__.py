@@ -12,6 +12,8 @@ import sys
 from importlib import import_module
 
 TABLES = ("physics", "rules", "render")
+OPTIONS = ("physics", "render")
+"""Tables with options of their own."""
 
 
 def main() -> int:
@@ -21,12 +23,12 @@ def main() -> int:
     for name in TABLES:
         one = tables.add_parser(name, help=f"the table of {name}")
         one.add_argument("--json", action="store_true", help="print a JSON list")
-        if name == "physics":
-            import_module("tools.bench.physics").add_options(one)
+        if name in OPTIONS:
+            import_module(f"tools.bench.{name}").add_options(one)
     chosen = parser.parse_args()
     make = import_module(f"tools.bench.{chosen.table}").rows
     rows: list[dict[str, object]] = []
-    for row in make(chosen) if chosen.table == "physics" else make():
+    for row in make(chosen) if chosen.table in OPTIONS else make():
         if not chosen.json:
             if not rows:
                 print("  ".join(f"{name:>{_width(name)}}" for name in row))
