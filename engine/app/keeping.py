@@ -6,6 +6,7 @@ game, the journal tells it. Invariant: a shot is on disk before the next one can
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ from engine.records.journal import NOTHING, Journal, entries_of
 from engine.records.write import save_shot_record
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
     from pathlib import Path
 
     from engine.app.session import Session
@@ -25,21 +26,22 @@ if TYPE_CHECKING:
 
 @dataclass(slots=True)
 class Keeper:
-    """Keeps the journal of a match at `path`, and shots in `folder`."""
+    """Keeps the journal of a match at `path`, and shots in `folder`; `sync` as in Journal."""
 
     path: Path
     folder: Path
+    sync: Callable[[int], None] = os.fsync
     _journal: Journal | None = None
     _known: Match | None = None
     _laid: int = 0
 
     def start(self, match: Match) -> None:
         """Begin the journal with the shots that a match has already."""
-        self._journal, self._known = Journal.begin(self.path, match), match
+        self._journal, self._known = Journal.begin(self.path, match, self.sync), match
 
     def carry_on(self, match: Match) -> None:
         """Go on with a journal that holds this match already."""
-        self._journal, self._known = Journal.reopen(self.path), match
+        self._journal, self._known = Journal.reopen(self.path, self.sync), match
 
     def follow(self, match: Match, left: Mapping[str, float] = NOTHING) -> None:
         """Write down what changed since the match was seen last, and the time `left` (s) now."""
@@ -49,7 +51,7 @@ class Keeper:
         shared = _shared(known, match)
         if match.seed != known.seed or shared is None:
             self.path = _later(self.path)
-            self._journal = Journal.begin(self.path, match)
+            self._journal = Journal.begin(self.path, match, self.sync)
             self._journal.note_time(left)
             return
         for _ in entries_of(known)[shared:]:

@@ -33,6 +33,7 @@ from engine.app.session import SHOWING, Mode
 from engine.app.speaker import Speaker
 from engine.app.starting import draw_start
 from engine.app.steps import act, pass_time, take_up
+from engine.app.syncing import Syncer
 from engine.app.trouble import ScriptTrouble, told
 from engine.app.units import Units
 from engine.app.view import View, camera_of, followed_place, stroke_seen, struck_ball
@@ -77,6 +78,7 @@ class Loop:
     units: Units = Units.METRIC
     letters: bool = False
     speaker: Speaker = field(default_factory=Speaker)
+    syncer: Syncer = field(default_factory=Syncer)
     view: View = field(default_factory=View)
     glide: Glide = field(default_factory=Glide)
     page: Page | None = None
@@ -284,6 +286,7 @@ class Loop:
         """Note the time that is left, so that the match can be gone on with."""
         with suppress(OSError):
             self.keeper.leave(self.session.timing.clock.left)
+        self.syncer.close()
 
     def _answer(self, ask: Ask) -> None:
         match ask.action:

@@ -124,7 +124,7 @@ def draw_page(
     shown = rows[first : first + most]
     high = step * len(shown) + pen.px(70)
     left, top = (width - wide) // 2, (height - high) // 2
-    pen.panel((0, 0, width, height), 150, None)
+    pen.veil()
     pen.panel((left, top, wide, high), 255)
     pen.write(page.value, (left + pen.px(20), top + pen.px(12)), TEXT, 21)
     ending = "Esc closes"

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 TONES = {"head": TEXT, "good": GOOD, "bad": BAD, "plain": PLAIN, "faint": FAINT}
 BASE = 17
 KEPT = 600
+NARROWER = 3
+"""Pixels left free in a line, since its width is told by that of its words."""
 
 
 @dataclass(slots=True)
@@ -103,14 +105,17 @@ class Pen:
     def wrap(self, text: str, room: int, size: float = BASE) -> list[str]:
         """Return a text as lines no wider than `room`, broken at spaces; an indent is kept."""
         indent = text[: len(text) - len(text.lstrip())]
+        start = self.width(f"{indent}.", size) - self.width(".", size) if indent else 0
+        space = self.width(". .", size) - 2 * self.width(".", size)
         lines: list[str] = []
-        now = indent
+        now, wide = indent, start
         for word in text.split():
-            longer = f"{now} {word}" if now.strip() else indent + word
-            if now.strip() and self.width(longer, size) > room:
+            own = self.width(word, size)
+            if now.strip() and wide + space + own > room - NARROWER:
                 lines.append(now)
-                longer = indent + word
-            now = longer
+                now, wide = indent, start
+            wide += own + (space if now.strip() else 0)
+            now = f"{now} {word}" if now.strip() else indent + word
         return [*lines, now]
 
     def panel(self, box: Box, alpha: int = 235, edge: Colour | None = EDGE) -> None:
@@ -124,6 +129,13 @@ class Pen:
             self.surface.blit(sheet, (box[0], box[1]))
         if edge is not None:
             pygame.draw.rect(self.surface, self.tint(edge), box, 1)
+
+    def veil(self) -> None:
+        """Darken everything drawn so far, or on a light ground let it pale."""
+        if self.theme == "light":
+            self.surface.fill((70, 70, 72), special_flags=pygame.BLEND_RGB_ADD)
+        else:
+            self.surface.fill((104, 104, 108), special_flags=pygame.BLEND_RGB_MULT)
 
     def card(self, box: Box, fill: Colour, edge: Colour | None = None, radius: int = 4) -> None:
         """Fill a box with round corners."""

@@ -16,6 +16,7 @@ import numpy as np
 from engine.game.placing import refuse_place, usual_place, zone_in_hand
 from engine.game.situation import cue_ball_of
 from engine.table.furniture import Area, HalfPlane, Places
+from engine.table.region import obstacles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
 
 CLEAR = 2e-4
 """A ball is put down with at least this much room (m) about it."""
+INSIDE = 1e-6
+"""How deep (m) in a zone a place lies that needs no further look."""
 STEP = 0.03
 ROUND = 72
 
@@ -93,12 +96,27 @@ def placing_of(variant: Variant, situation: Situation) -> Placing | None:
     zone = zone_in_hand(variant, situation, situation.in_hand)
     bare = Placing(variant, situation, zone, radii[ball], places, reaches, np.zeros((0, 2)))
     wishes = np.array(zone.points) if isinstance(zone, Places) else _grid(variant, radii[ball])
+    if isinstance(zone, Area):
+        wishes = _within(zone, wishes)
     if len(places) and not isinstance(zone, Places):
         gaps = np.hypot(*(wishes[:, None, :] - places[None, :, :]).transpose(2, 0, 1)) - reaches
         wishes = wishes[gaps.min(axis=1) > CLEAR]
-    free = [p for p in map(tuple, wishes.tolist()) if bare.allows(p)]
-    known = np.array(free, dtype=np.float64).reshape(-1, 2)
+    table = variant.world.table
+    if not isinstance(zone, Area) or table.outline or obstacles(table, radii[ball]):
+        wishes = np.array([p for p in map(tuple, wishes.tolist()) if bare.allows(p)])
+    known = wishes.astype(np.float64).reshape(-1, 2)
     return Placing(variant, situation, zone, radii[ball], places, reaches, known)
+
+
+def _within(zone: Area, points: Points) -> Points:
+    """Return the points that lie well inside a zone."""
+    for part in zone.parts:
+        if isinstance(part, HalfPlane):
+            depth = (points - np.array(part.point)) @ (np.array(part.normal) / hypot(*part.normal))
+        else:
+            depth = part.radius - np.hypot(*(points - np.array(part.centre)).T)
+        points = points[depth > INSIDE]
+    return points
 
 
 def _grid(variant: Variant, radius: float) -> Points:

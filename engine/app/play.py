@@ -313,6 +313,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.app.session import Aid  # noqa: PLC0415
     from engine.app.showing import Showing  # noqa: PLC0415
     from engine.app.speaker import LOUD, Speaker  # noqa: PLC0415
+    from engine.app.syncing import Syncer  # noqa: PLC0415
     from engine.app.timing import timing_of  # noqa: PLC0415
     from engine.app.units import Units  # noqa: PLC0415
     from engine.app.view import View  # noqa: PLC0415
@@ -321,7 +322,8 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.stage.stage import build_stage  # noqa: PLC0415
 
     match = sitting.match
-    keeper = Keeper(sitting.journal, data_folder() / "shots")
+    syncer = Syncer()
+    keeper = Keeper(sitting.journal, data_folder() / "shots", syncer.sync)
     try:
         (keeper.carry_on if sitting.goes_on else keeper.start)(match)
     except OSError as trouble:
@@ -335,6 +337,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
         startup=startup,
         keeper=keeper,
         watch=watch_variant(match.variant),
+        syncer=syncer,
         renderer=settings.renderer,
         rate=settings.rate,
         text=settings.text,

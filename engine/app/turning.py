@@ -1,7 +1,7 @@
 """How balls lie turned while they roll, cheap enough for every frame.
 
-One idea: from frame to frame the spin is followed in short steps; after a jump in time the
-trace's own exact answer is taken. Invariant: only pictures depend on it.
+One idea: the spin is followed in steps, short ones from frame to frame, coarser ones after a jump
+in time. Invariant: only pictures depend on it.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 STEP = 0.004
 """Seconds of the steps in which spin is followed."""
-JUMP = 0.25
-"""Seconds beyond which a step in time is a jump."""
+MOST = 320
+"""Steps at a time: a jump is followed in coarser ones, so that no frame waits for it."""
 
 
 @dataclass(slots=True)
@@ -39,10 +39,11 @@ class Turning:
     def at(self, time: float) -> Floats:
         """Return the rotations (n, 3, 3) at `time` (s)."""
         ahead = time - self._time
-        if ahead < 0.0 or ahead > JUMP:
-            self._turned = self.trace.orientations([time])[0]
-        elif ahead > 0.0:
-            count = ceil(ahead / STEP)
+        if ahead < 0.0:
+            self._turned = np.tile(np.eye(3), (len(self.trace.balls), 1, 1))
+            self._time, ahead = 0.0, max(time, 0.0)
+        if ahead > 0.0:
+            count = min(ceil(ahead / STEP), MOST)
             middles = self._time + (np.arange(count) + 0.5) * (ahead / count)
             for spin in self.trace.spins(middles):
                 self._turned = rotations(spin * (ahead / count)) @ self._turned

@@ -6,6 +6,8 @@ place is the lawful one nearest to the middle of the zone's edge towards the foo
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import lru_cache
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -21,7 +23,7 @@ from engine.table.region import has_room
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from engine.table.furniture import Point, Zone, ZoneId
+    from engine.table.furniture import Point, Table, Zone, ZoneId
     from engine.variant.variant import Variant
 
 GRID = 160
@@ -84,10 +86,7 @@ def usual_place(variant: Variant, situation: Situation) -> Point | None:
         return None
     table = variant.world.table
     zone = zone_in_hand(variant, situation, situation.in_hand)
-    places = sorted(
-        (at for at in _places(variant, situation.in_hand) if contains(zone, at, table)),
-        key=lambda at: (round(abs(at[1]), 6), -at[0]),
-    )
+    places = _ordered(_Bed(table), situation.in_hand, zone)
     on = frozenset(map(BallId, look_ahead(variant, situation).on))
     ball = cue_ball_of(variant, situation.shooter)
     radii = {one.id: one.radius for one in variant.world.balls}
@@ -103,8 +102,27 @@ def usual_place(variant: Variant, situation: Situation) -> Point | None:
     return next(iter(lawful), None) or next(free, None)
 
 
-def _places(variant: Variant, zone: ZoneId) -> Iterator[Point]:
-    table = variant.world.table
+@dataclass(frozen=True, slots=True, eq=False)
+class _Bed:
+    """A table as a key: one and the same table, since comparing two takes longer than looking."""
+
+    table: Table
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Bed) and self.table is other.table
+
+    def __hash__(self) -> int:
+        return hash(id(self.table))
+
+
+@lru_cache(maxsize=64)
+def _ordered(bed: _Bed, name: ZoneId, zone: Zone) -> tuple[Point, ...]:
+    """Return the places (m) of a zone, the usual ones first."""
+    inside = (at for at in _places(bed.table, name) if contains(zone, at, bed.table))
+    return tuple(sorted(inside, key=lambda at: (round(abs(at[1]), 6), -at[0])))
+
+
+def _places(table: Table, zone: ZoneId) -> Iterator[Point]:
     area = table.zones[zone]
     if isinstance(area, Places):
         yield from area.points

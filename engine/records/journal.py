@@ -9,6 +9,7 @@ Invariant: nothing that was written is ever changed; an undo is a line of its ow
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -50,6 +51,9 @@ LARGEST = 16 * 1024 * 1024
 
 NOTHING: Mapping[str, float] = MappingProxyType({})
 
+Sync = Callable[[int], None]
+"""Brings a file, by its descriptor, from the system's memory to the disk."""
+
 Entry = Played | int
 """What a journal tells: a shot, or that the next game was begun by a player."""
 
@@ -69,13 +73,15 @@ def entries_of(match: Match) -> list[Entry]:
 class Journal:
     """An open journal; append a shot when its verdict is known."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, sync: Sync = os.fsync) -> None:
+        """Write to `path`; `sync` sees to it that what was written outlives a loss of power."""
         self.path = path
+        self._sync = sync
 
     @classmethod
-    def begin(cls, path: Path, match: Match) -> Journal:
+    def begin(cls, path: Path, match: Match, sync: Sync = os.fsync) -> Journal:
         """Start a journal for a match, with the shots it has already; replaces a file there."""
-        journal = cls(path)
+        journal = cls(path, sync)
         path.parent.mkdir(parents=True, exist_ok=True)
         start = match.played[0].before if match.played else match.situation
         head = {
@@ -93,9 +99,9 @@ class Journal:
         return journal
 
     @classmethod
-    def reopen(cls, path: Path) -> Journal:
+    def reopen(cls, path: Path, sync: Sync = os.fsync) -> Journal:
         """Go on with a journal; what a killed program left half written is marked as torn."""
-        journal = cls(path)
+        journal = cls(path, sync)
         if is_torn(path.read_text(encoding="utf-8", errors="replace")):
             journal.write_line(TORN)
         return journal
@@ -131,7 +137,7 @@ class Journal:
         with self.path.open("a", encoding="utf-8") as file:
             file.write(text)
             file.flush()
-            os.fsync(file.fileno())
+            self._sync(file.fileno())
 
 
 def resume(path: Path, load: Load) -> Match:
