@@ -37,7 +37,7 @@ TRIES, FEWEST = 16, 4
 REMEMBERED = 8
 AGAIN = 0.6
 """How many recipes a player remembers, and how often he plays one of them again."""
-UNPLAYED = 0.01
+UNPLAYED = 0.02
 """The share of strokes that are left out, at times because a timer ran out or time is called."""
 
 
