@@ -49,9 +49,7 @@ def fact(x: Expressions, name: str, at: s.Span) -> Code:
     scope.used.add(name)
     said = scope.facts[name]
     node = scope.fact_nodes[name]
-    kind = {"ball": k.BALLS, "number": k.NUMBER, "player": k.PLAYER, "flag": k.FLAG}.get(
-        said.kind, k.NAME
-    )
+    kind = {"ball": k.BALLS, "number": k.NUMBER, "flag": k.FLAG}.get(said.kind, k.NAME)
     masks = x.masks()
     empty: Any = 0 if kind in (k.NUMBER, k.BALLS) else False if kind == k.FLAG else "none"
     default = empty if said.default is None or kind == k.BALLS else said.default

@@ -61,9 +61,10 @@ PHRASES: tuple[Phrase, ...] = (
          " back to its start by itself: after the shot, when the turn passes, with a new game,"
          " never", "track fouls-in-a-row per game per player starting 0",
          "if cue ball pocketed: add 1 to fouls-in-a-row of shooter\n"),
-        ("fact NAME [one of (A, B) | ball | number | player] [default VALUE]",
-         "what only an eye at the table can tell", "fact deliberate default no",
-         "if deliberate: foul x\n"),
+        ("fact NAME [one of (A, B) | ball | number] [default VALUE]",
+         "what only an eye at the table can tell",
+         "fact deliberate default no\nfact moved ball", "if deliberate: foul x\n"
+         "if moved is 8-ball: foul y\n"),
         ("fact NAME ... supplied by PREDICATE on SET [from ZONE]",
          "what positions tell, where they are known; a cue ball off the bed is played from the"
          " zone", "fact path one of (full, none) supplied by path on object balls from kitchen",
@@ -196,7 +197,8 @@ PHRASES: tuple[Phrase, ...] = (
         ("X stayed together in ZONE", "all began in it and none left it, not even to come back",
          "if object balls stayed together in kitchen: foul x"),
         ("X placed in ZONE, X placed outside ZONE", "where a ball in hand was put; `zone` is"
-         " that it had to lie in", "if cue ball placed outside zone: foul x"),
+         " that it had to lie in", "if cue ball placed outside zone: foul x\n"
+         "if cue ball placed in kitchen: foul y"),
         ("PIN toppled", "fell, by whatever", "if left-pin toppled: foul x"),
         ("not EVENT", "the negative of the whole event",
          "if not cue ball hit any object ball: foul x"),
@@ -208,7 +210,8 @@ PHRASES: tuple[Phrase, ...] = (
         ("stroke was played", "the tip struck a ball",
          "if stroke was played and 8-ball is on table: foul x"),
         ("safety was called, safety was not called", "what was announced",
-         "if safety was called: turn passes"),
+         "if safety was called: turn passes\n"
+         "if safety was not called and 8-ball pocketed: turn continues"),
     ),
     *_rows(
         TESTS,
@@ -264,7 +267,8 @@ PHRASES: tuple[Phrase, ...] = (
         ("first | last ball pocketed", "in the order of falling",
          "if last ball pocketed is 8-ball: foul x"),
         ("highest X, lowest X", "the members of highest or lowest value",
-         "if first ball hit is not lowest object ball on table: foul x"),
+         "if first ball hit is not lowest object ball on table: foul x\n"
+         "if highest stripes pocketed: foul y"),
         ("X on table, PINS standing", "the members that lie, or stand, there",
          "if number of stripes on table is 0: foul x\nif number of pins standing is 0: foul y"),
         ("up to N among X", "the first N members in the order of the variant; N is a number or a"
@@ -325,6 +329,8 @@ PHRASES: tuple[Phrase, ...] = (
         PLAYERS,
         ("shooter, opponent, opponent of WHO", "who plays, and who comes after him",
          "if 8-ball pocketed: award 1 to opponent of opponent"),
+        ("NAME", "a define that is a player", "if 8-ball pocketed: award 1 to third-player",
+         "define third-player as opponent of opponent\n"),
         ("partner of WHO", "the next player of the same side",
          "if 8-ball pocketed: turn passes to partner of shooter", "players per side 2\n"),
         ("breaker", "who began the game",
