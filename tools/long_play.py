@@ -2,7 +2,8 @@
 
 One idea: a scripted player goes on from game to game; after each frame the time that it took and
 what it did are noted, and every few seconds the memory of the process. What the player thinks is
-not counted, for a person would not think in the window's time.
+not counted, for a person would not think in the window's time. Where other programs take the
+processor away, `--work` counts only the time in which the window's thread was at work.
 
     python -m tools.long_play [--minutes 30] [--games NAME,NAME] [--display virtual|headless|own]
 
@@ -60,6 +61,7 @@ class Watcher:
 
     player: Player
     end: float
+    by_work: bool = False
     times: list[float] = field(default_factory=list)
     slow: list[Slow] = field(default_factory=list)
     memory: list[tuple[float, float]] = field(default_factory=list)
@@ -84,12 +86,13 @@ class Watcher:
         next(self._script)
 
     def _note(self, loop: Loop, now: float) -> None:
-        self.times.append(loop.busy)
-        if loop.busy > LONGEST:
+        took = loop.worked if self.by_work else loop.busy
+        self.times.append(took)
+        if took > LONGEST:
             then = loop.session.mode.name.lower()
             keys = " ".join(loop.hands.pressed[:3])
             cause = f"{self._doing} -> {then}; keys: {keys or 'none'}; shot {self.player.strokes}"
-            self.slow.append(Slow(now, loop.busy, cause))
+            self.slow.append(Slow(now, took, f"{cause}; at work {1000.0 * loop.worked:.0f} ms"))
         if not self.memory or now - self.memory[-1][0] >= EVERY:
             self.memory.append((now, resident()))
 
@@ -144,14 +147,16 @@ def findings(game: str, watcher: Watcher) -> Findings:
     )
 
 
-def watch(game: str, seconds: float, seed: int, rate: int, size: tuple[int, int]) -> Findings:
+def watch(
+    game: str, seconds: float, seed: int, rate: int, size: tuple[int, int], *, by_work: bool
+) -> Findings:
     """Play a game in a window for so long and return what was seen."""
     from engine.app.play import play  # noqa: PLC0415  the window's process
 
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         player = Player(folder, Random(seed), most=10**9, tries=24, looks=False)
-        watcher = Watcher(player, seconds)
+        watcher = Watcher(player, seconds, by_work)
         play(
             game,
             seed=seed,
@@ -172,6 +177,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--rate", type=int, default=60)
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--display", choices=DISPLAYS, default=VIRTUAL)
+    parser.add_argument("--work", action="store_true", help="count only time at work")
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
     asked = parser.parse_args(arguments)
@@ -179,7 +185,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     size, games = (int(width), int(height)), asked.games.split(",")
     seconds = 60.0 * asked.minutes / len(games)
     if asked.inside:
-        found = watch(games[0], 60.0 * asked.minutes, asked.seed, asked.rate, size)
+        found = watch(
+            games[0], 60.0 * asked.minutes, asked.seed, asked.rate, size, by_work=asked.work
+        )
         print(json.dumps({slot: getattr(found, slot) for slot in Findings.__slots__}))
         return 0
     all_found = []
@@ -188,6 +196,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for game in games:
             words = ["--inside", "--games", game, "--minutes", str(seconds / 60.0)]
             words += ["--seed", str(asked.seed), "--rate", str(asked.rate), "--size", asked.size]
+            words += ["--work"] if asked.work else []
             command = [sys.executable, "-m", "tools.long_play", *words]
             done = subprocess.run(command, env=env, check=True, capture_output=True, text=True)
             all_found.append(Findings(**json.loads(done.stdout.splitlines()[-1])))

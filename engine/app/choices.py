@@ -6,7 +6,8 @@ where, what is racked, put back or on.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from engine.app.trouble import ScriptTrouble
@@ -37,6 +38,30 @@ def choosable_balls(variant: Variant, situation: Situation, option: str) -> tupl
 
     The rules are asked what follows with each of two balls: where that differs, any may be named.
     """
+    return _choosable(_Moment(variant, situation), option)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Moment:
+    """A moment of a match as a key: one and the same, since comparing two takes long."""
+
+    variant: Variant
+    situation: Situation
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, _Moment)
+            and self.variant is other.variant
+            and self.situation is other.situation
+        )
+
+    def __hash__(self) -> int:
+        return hash((id(self.variant), id(self.situation)))
+
+
+@lru_cache(maxsize=32)
+def _choosable(moment: _Moment, option: str) -> tuple[BallId, ...]:
+    variant, situation = moment.variant, moment.situation
     lying = [kind.id for kind in variant.balls if kind.id in situation.rest.positions]
     cue = cue_ball_of(variant, situation.shooter)
     lying = [ball for ball in lying if ball != cue]
@@ -62,6 +87,12 @@ def choice_words(
     names: Sequence[str] = (),
 ) -> str:
     """Return what follows when an option is taken; empty where the rules cannot tell."""
+    return _words(_Moment(variant, situation), option, ball, tuple(names))
+
+
+@lru_cache(maxsize=32)
+def _words(moment: _Moment, option: str, ball: str | None, names: tuple[str, ...]) -> str:
+    variant, situation = moment.variant, moment.situation
     try:
         chosen = take_choice(variant, situation, _with_ball(option, ball), explain=False)
         after = chosen.after

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from time import perf_counter
+from time import perf_counter, thread_time
 from typing import TYPE_CHECKING
 
 import pygame
@@ -89,6 +89,8 @@ class Loop:
     frames: int = 0
     busy: float = 0.0
     """Seconds that the last frame took, without the wait for the next one."""
+    worked: float = 0.0
+    """Seconds of them in which this program was at work, not others on the machine."""
     hands: Input = field(default_factory=Input)
     controls: Controls = field(default_factory=Controls)
     hud: Hud = field(init=False)
@@ -115,9 +117,9 @@ class Loop:
                 raise self.startup.trouble
             if each is not None:
                 each(self)
-            began = perf_counter()
+            began, at_work = perf_counter(), thread_time()
             self.frame(self.window.read(), seconds)
-            self.busy = perf_counter() - began
+            self.busy, self.worked = perf_counter() - began, thread_time() - at_work
         self._leave()
 
     def frame(self, events: list[InputEvent], seconds: float) -> None:

@@ -11,6 +11,7 @@ import sys
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING
 
 from engine.app.settings import Settings, data_folder, read_settings
@@ -318,6 +319,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     from engine.app.units import Units  # noqa: PLC0415
     from engine.app.view import View  # noqa: PLC0415
     from engine.app.watching import watch_variant  # noqa: PLC0415
+    from engine.game.placing import prepare_places  # noqa: PLC0415
     from engine.records.journal import times_of  # noqa: PLC0415
     from engine.stage.stage import build_stage  # noqa: PLC0415
 
@@ -329,6 +331,7 @@ def make_loop(window: Window, sitting: Sitting, settings: Settings, startup: Sta
     except OSError as trouble:
         message = f"{sitting.journal}: the journal cannot be written: {trouble}"
         raise PlayError(message) from trouble
+    Thread(target=prepare_places, args=(match.variant,), name="places", daemon=True).start()
     times = times_of(sitting.journal) if sitting.goes_on else {}
     return Loop(
         window=window,

@@ -45,8 +45,9 @@ class Turning:
         if ahead > 0.0:
             count = min(ceil(ahead / STEP), MOST)
             middles = self._time + (np.arange(count) + 0.5) * (ahead / count)
-            for spin in self.trace.spins(middles):
-                self._turned = rotations(spin * (ahead / count)) @ self._turned
+            spins = self.trace.spins(middles) * (ahead / count)
+            for turn in rotations(spins.reshape(-1, 3)).reshape(*spins.shape, 3):
+                self._turned = turn @ self._turned
         self._time = time
         return self._turned
 

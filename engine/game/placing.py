@@ -122,6 +122,14 @@ def _ordered(bed: _Bed, name: ZoneId, zone: Zone) -> tuple[Point, ...]:
     return tuple(sorted(inside, key=lambda at: (round(abs(at[1]), 6), -at[0])))
 
 
+def prepare_places(variant: Variant) -> None:
+    """Work out the usual places of every zone beforehand, so that none is waited for."""
+    table = variant.world.table
+    for name, zone in table.zones.items():
+        for area in zone.areas if isinstance(zone, Opposite) else (zone,):
+            _ordered(_Bed(table), name, area)
+
+
 def _places(table: Table, zone: ZoneId) -> Iterator[Point]:
     area = table.zones[zone]
     if isinstance(area, Places):
