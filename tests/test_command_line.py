@@ -104,6 +104,7 @@ def test_simulate_keeps_a_record_that_passes(tmp_path):
 def test_simulate_refuses_what_cannot_be_played():
     assert run("simulate", "eight_ball", "--speed", "-1").exit_code == 2
     assert "Traceback" not in run("simulate", "eight_ball", "--speed", "nan").output
+    assert "at most 100 m/s" in run("simulate", "eight_ball", "--speed", "1e308").output
 
 
 def test_render_draws_without_a_window(tmp_path):

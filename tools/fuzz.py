@@ -25,6 +25,8 @@ from typing import TYPE_CHECKING, Any
 
 from engine.records.read import read_record
 from engine.records.record import RecordError
+from engine.records.run import run_record
+from engine.records.show import explain_text
 from engine.variant.load import check_variant, load_variant, read_draft
 from engine.variant.words import vocabulary_of
 from rulelang.compile import check_script, compile_script
@@ -127,7 +129,9 @@ def _record_reader(folder: Path) -> Callable[[bytes], None]:
     def read(data: bytes) -> None:
         path.write_bytes(data)
         try:
-            read_record(path, load)
+            record = read_record(path, load)
+            if len(data) < _SMALL and all(step.shot.strike is None for step in record.steps):
+                explain_text(run_record(record), everything=True)
         except RecordError as trouble:
             for one in trouble.diagnostics:
                 render(one)

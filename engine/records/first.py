@@ -19,6 +19,7 @@ from engine.game.shot import Shot
 from engine.physics.world import Strike
 from engine.records.run import Judgement
 from engine.records.say import expectation
+from engine.records.spec import FARTHEST, FASTEST
 from engine.records.show import verdict_lines
 from engine.records.write import save_shot_record
 
@@ -46,6 +47,8 @@ def first_stroke(
 
     Raises ValueError for a stroke that cannot be played.
     """
+    if not (speed <= FASTEST and abs(heading) <= FARTHEST):
+        raise ValueError(f"at most {FASTEST:g} m/s and {FARTHEST:g} degrees")
     match = start_match(variant, seed=seed)
     before = match.situation
     if before.in_hand is not None and place is None:

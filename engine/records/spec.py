@@ -12,6 +12,10 @@ from pydantic import BaseModel, ConfigDict, Field
 
 Value = bool | int | str
 PerPlayer = list[Value]
+FASTEST = 100.0
+"""No cue moves faster (m/s), several times over."""
+FARTHEST = 36_000.0
+"""No heading is told by more degrees than these."""
 Metres = Annotated[float, Field(ge=-100, le=100)]
 Point = Annotated[list[Metres], Field(min_length=2, max_length=2)]
 Player = Annotated[int, Field(ge=1)]
@@ -50,8 +54,8 @@ class CallSpec(Strict):
 class StrikeSpec(Strict):
     """The stroke as it was played: m/s, degrees, ball radii."""
 
-    speed: Annotated[float, Field(gt=0, le=100)]
-    heading: Annotated[float, Field(ge=-36000, le=36000)]
+    speed: Annotated[float, Field(gt=0, le=FASTEST)]
+    heading: Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
     elevation: Annotated[float, Field(ge=0, lt=90)] = 0.0
     side: Annotated[float, Field(ge=-1, le=1)] = 0.0
     follow: Annotated[float, Field(ge=-1, le=1)] = 0.0

@@ -50,7 +50,8 @@ def resolve(name_or_path: str | Path) -> Path:
     try:
         if path.is_file():
             return path
-        reason = "it is a folder" if path.is_dir() else "there is no such file"
+        there = "it is no plain file" if path.exists() else "there is no such file"
+        reason = "it is a folder" if path.is_dir() else there
     except (OSError, ValueError):
         reason = "this is no path of a file"
     near = sorted(Path().glob("*.toml"))
