@@ -19,8 +19,8 @@ from engine.game.shot import Shot
 from engine.physics.world import Strike
 from engine.records.run import Judgement
 from engine.records.say import expectation
-from engine.records.spec import FARTHEST, FASTEST
 from engine.records.show import verdict_lines
+from engine.records.spec import FARTHEST, FASTEST
 from engine.records.write import save_shot_record
 
 if TYPE_CHECKING:
