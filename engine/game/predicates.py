@@ -51,9 +51,13 @@ def predicates_of(
             return None
         struck = shot.struck or ball_to_strike(variant, before)
         board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
-        views = list(_views(variant, board, struck, zone))
-        hiding = [snookering_balls(view, map(BallId, targets)) for view in views]
-        return _one_of(hiding[0], shot.call.ball) if hiding and all(hiding) else None
+        first: tuple[BallId, ...] = ()
+        for view in _views(variant, board, struck, zone):
+            hiding = snookering_balls(view, map(BallId, targets))
+            if not hiding:
+                return None
+            first = first or hiding
+        return _one_of(first, shot.call.ball) if first else None
 
     def nearest(
         targets: frozenset[str], done: tuple[TableAction, ...], zone: str | None = None
@@ -101,22 +105,19 @@ def _views(variant: Variant, board: Board, ball: BallId, zone: str | None) -> It
             yield view
 
 
-def _origins(variant: Variant, board: Board, ball: BallId, zone: str | None) -> list[Point]:
-    """Return the free places of the zone that a ball off the table is played from."""
+def _origins(variant: Variant, board: Board, ball: BallId, zone: str | None) -> Iterator[Point]:
+    """Yield the free places of the zone that a ball off the table is played from."""
     table = variant.world.table
     if zone is None or not board.rest.positions:
-        return []
+        return
     area = table.zones[ZoneId(zone)]
     radii = {one.id: one.radius for one in variant.world.balls}
-    return [
-        (x, y)
-        for x, y in (area.points if isinstance(area, Places) else _grid(table))
-        if contains(area, (x, y), table)
-        and all(
+    for x, y in area.points if isinstance(area, Places) else _grid(table):
+        if contains(area, (x, y), table) and all(
             hypot(x - u, y - v) > radii[ball] + radii[other]
             for other, (u, v) in board.rest.positions.items()
-        )
-    ]
+        ):
+            yield x, y
 
 
 def _grid(table: Table) -> Iterator[Point]:
