@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from engine.app.screen import Box
     from engine.app.session import Session
 
+RIGHT, PLAYER = 290, 130
+"""Widths of the right corner and, at least, of a player's field, in text pixels."""
 TOP, BOTTOM, SIDE = 58, 104, 300
 """Heights of the bars and width of the column, in text pixels."""
 
@@ -79,16 +81,34 @@ class Hud:
         pen.panel((0, 0, width, height), 255, None)
         pen.rule((0, height - 1), (width, height - 1))
         corner = f"{self.keymap.shown('help')} keys   {self.keymap.shown('menu')} menu"
-        edge = pen.px(14)
-        third = width // 5
-        rows, size = ((1, 24, 39), 13) if board.time else ((8, 34, 34), 15)
+        edge, right = pen.px(14), min(pen.px(RIGHT), width // 4)
+        left = self._title_width(board)
+        self._title(board, left)
+        self._players(board, left, width - right)
+        pen.write(status, (width - edge, pen.px(12)), FAINT, 13, "right", room=right - edge)
+        pen.write(corner, (width - edge, pen.px(34)), FAINT, 13, "right", room=right - edge)
+
+    def _title_width(self, board: Board) -> int:
+        """Return how wide the title's field is: as it needs, as far as the players leave it."""
+        pen, width = self.pen, self.pen.surface.get_width()
+        times = sum(pen.width(f"{one.name} {one.left}", 13) + pen.px(14) for one in board.time)
+        needed = max(pen.width(board.title, 21), pen.width(board.phase, 13), times) + 2 * pen.px(18)
+        most = width - min(pen.px(RIGHT), width // 4) - len(board.players) * pen.px(PLAYER)
+        return max(min(needed, most, round(0.42 * width)), width // 6)
+
+    def _title(self, board: Board, room: int) -> None:
+        """Write the title, the time of the game, and phase and house rules in one line or two."""
+        pen, edge = self.pen, self.pen.px(14)
+        lines = pen.wrap(board.phase, room - 2 * edge, 13)
+        two = len(lines) > 1 and not board.time
+        rows = (1, 24, 39) if board.time else ((3, 28, 28) if two else (8, 34, 34))
         title, times, phase = map(pen.px, rows)
-        pen.write(board.title, (edge, title), TEXT, 21, room=third - edge)
-        self._times(board.time, (edge, times), third)
-        pen.write(board.phase, (edge, phase), FAINT, size, room=third - edge)
-        self._players(board, third, width - third)
-        pen.write(status, (width - edge, pen.px(12)), FAINT, 13, "right", room=third)
-        pen.write(corner, (width - edge, pen.px(34)), FAINT, 13, "right", room=third)
+        pen.write(board.title, (edge, title), TEXT, 21, room=room - edge)
+        self._times(board.time, (edge, times), room)
+        shown = [lines[0], " ".join(lines[1:])] if two else [board.phase]
+        for number, text in enumerate(shown):
+            below = phase + number * pen.line(13)
+            pen.write(text, (edge, below), FAINT, 13, room=room - edge)
 
     def _times(self, times: tuple[TimeLine, ...], place: tuple[int, int], end: int) -> None:
         """Write the time of the game between its title and its phase."""
@@ -116,9 +136,11 @@ class Hud:
                 pen.card(box, PICKED, GOLD, pen.px(5))
                 self._own_times(board.own_time, x + room - pen.px(14))
             colour = TEXT if player.is_shooting else FAINT
-            name = pen.width(player.name, 16) + pen.px(12) + pen.width(player.score, 22)
+            score = pen.px(12) + pen.width(player.score, 22)
+            called = pen.fitted(player.name, 16, room - score - pen.px(20))
+            name = pen.width(called, 16) + score
             start = middle - name // 2
-            pen.write(player.name, (start, pen.px(12)), colour, 16)
+            pen.write(called, (start, pen.px(12)), colour, 16)
             pen.write(player.score, (start + name, pen.px(8)), colour, 22, "right")
             notes = ", ".join(player.notes)
             pen.write(notes, (middle, pen.px(35)), FAINT, 13, "middle", room - pen.px(20))
