@@ -136,11 +136,13 @@ class Hud:
                 pen.card(box, PICKED, GOLD, pen.px(5))
                 self._own_times(board.own_time, x + room - pen.px(14))
             colour = TEXT if player.is_shooting else FAINT
-            score = pen.px(12) + pen.width(player.score, 22)
-            called = pen.fitted(player.name, 16, room - score - pen.px(20))
-            name = pen.width(called, 16) + score
+            score = pen.px(8) + pen.width(player.score, 22)
+            free = room - score - pen.px(16)
+            size = next((one for one in (16, 14, 12) if pen.width(player.name, one) <= free), 12)
+            called = pen.fitted(player.name, size, free)
+            name = pen.width(called, size) + score
             start = middle - name // 2
-            pen.write(called, (start, pen.px(12)), colour, 16)
+            pen.write(called, (start, pen.px(28 - size)), colour, size)
             pen.write(player.score, (start + name, pen.px(8)), colour, 22, "right")
             notes = ", ".join(player.notes)
             pen.write(notes, (middle, pen.px(35)), FAINT, 13, "middle", room - pen.px(20))
