@@ -114,9 +114,12 @@ def good_shot(
 ) -> Shot:
     """Return a stroke by a recipe: a ball on first, what is to be called called as it comes."""
     tale = begin_tale(variant, situation, rng)
-    others = [] if tale is None else [ball for ball in tale.live if ball != tale.cue]
-    if tale is None or not others:
+    if tale is None:
         return Shot(events=(e.StrokeOmitted(),))
+    others = [ball for ball in tale.live if ball != tale.cue]
+    if not others:
+        _alone(recipe, tale)
+        return _told(variant, situation, tale, NO_CALL, None, places=places)
     on = sorted(BallId(ball) for ball in ahead.on if ball in tale.live and ball != tale.cue)
     target = rng.choice(on or others)
     words = " ".join(one.what for one in ahead.required)
@@ -127,6 +130,14 @@ def good_shot(
     )
     _follow(recipe, tale, target, [ball for ball in others if ball != target])
     return _told(variant, situation, tale, call, None, places=places)
+
+
+def _alone(recipe: Recipe, tale: Tale) -> None:
+    """Let happen what the recipe says of the only ball on the bed."""
+    for _ in range(recipe.first):
+        tale.cushion(tale.cue)
+    if recipe.pocket is not None and recipe.falls != NEITHER:
+        tale.pocket(tale.cue, recipe.pocket)
 
 
 def _follow(recipe: Recipe, tale: Tale, target: BallId, others: list[BallId]) -> None:
