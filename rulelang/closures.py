@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 _UNSET: Any = object()
 KIND_MENDS = {
     (k.NUMBER, k.BALLS): "say `number of ...` or `value of ...`",
+    (
+        k.BALLS,
+        k.PLAYER,
+    ): "name a ball, such as `cue ball of shooter`; a hand is `player touched ...`",
     (k.PLAYER, k.BALLS): "say `shooter`, `opponent` or `next player`",
 }
 

@@ -79,6 +79,9 @@ def check_script(
     return work.told()
 
 
+_OF_NAMES = frozenset({"R201", "R202", "R203", "R206", "R403"})
+
+
 @dataclass
 class _Work:
     vocabulary: Vocabulary
@@ -88,6 +91,8 @@ class _Work:
     scripts: list[s.Script] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     consequences: list[Consequence] = field(default_factory=list)
+    lost: bool = False
+    """Whether a script to use could not be had: nobody knows which names it would bring."""
 
     def told(self) -> tuple[Diagnostic, ...]:
         """Return the diagnostics in order, each once."""
@@ -100,7 +105,7 @@ class _Work:
 
     def tell(self, script: s.Script, trouble: Mistake, severity: str = "error") -> None:
         """Keep a mistake with its place and source line."""
-        if trouble.silent:
+        if trouble.silent or (self.lost and trouble.code in _OF_NAMES):
             return
         at = narrowed(script.source, trouble)
         lines = script.source.split("\n")
@@ -145,6 +150,9 @@ class _Work:
         """Parse a script and those it uses; the used come first."""
         script, mistakes = parse(source, filename, self.cache)
         self.diagnostics.extend(mistakes)
+        wanted = sum(line.startswith("uses ") for line in source.split("\n")) if mistakes else 0
+        had = sum(isinstance(one, s.Header) and one.word == "uses" for one in script.declarations)
+        self.lost = self.lost or wanted > had
         for node in script.declarations:
             if not isinstance(node, s.Header) or node.word != "uses":
                 continue
@@ -155,6 +163,7 @@ class _Work:
                 message = f'there is no script "{node.text}" to use'
                 mend = "it lies as NAME.rules in `rules/`, or beside this script"
                 self.tell(script, Mistake("R204", node.at, message, mend))
+                self.lost = True
             elif found[1] not in above and found[1] not in [x.file for x in self.scripts]:
                 self.read(found[0], found[1], (*above, filename))
         self.scripts.append(script)

@@ -7,6 +7,7 @@ once only. Invariant: a name whose declaration could not be read is poisoned, no
 from __future__ import annotations
 
 import re
+from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from rulelang import code as k
@@ -207,13 +208,18 @@ class Declarations:
 
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
-        for name in re.findall(
-            r"^(?:define|track|fact|zones|timer) +([a-z][a-z0-9-]*)", script.source, re.MULTILINE
+        for word, rest in re.findall(
+            r"^([a-z]+) +([a-z0-9][a-z0-9 ,-]*)", script.source, re.MULTILINE
         ):
-            self.scope.poisoned.add(name)
-        phases = re.search(r"^phases +([a-z0-9 ,-]+)", script.source, re.MULTILINE)
-        if phases:
-            self.scope.phases = tuple(re.findall(r"[a-z0-9-]+", phases.group(1)))
+            head = word if word in _HEADS else (get_close_matches(word, _HEADS, 1, 0.7) or [""])[0]
+            names = re.findall(r"[a-z0-9-]+", rest)
+            if head == "phases":
+                self.scope.phases = tuple(names)
+            elif head:
+                self.scope.poisoned.add(names[0])
+
+
+_HEADS = ("define", "track", "fact", "zones", "timer", "phases")
 
 
 def _line_of(script: s.Script, name: str) -> int:

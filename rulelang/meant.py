@@ -35,7 +35,54 @@ class Meant:
     mend: str
 
 
+_WHO = r"(?:shooter|opponent|chooser|breaker|winner|loser|next player|that player)"
+_DUE = (
+    "foul|award|deduct|spot|respot|give|turn|go|add|set|reset|remove|rerack|require|offer|assign"
+    "|eliminate|restore|nothing|shooter|opponent|tie"
+)
+_WORDS = "one|two|three|four|five|six|seven|eight|nine|ten|twelve|fifteen"
 _PHRASES: tuple[tuple[str, str, str, str], ...] = (
+    (rf"(?P<x>\b{_WHO} continues)\b", "R101", "the turn goes on, not the player",
+     "say `turn continues`"),
+    (r"(?P<x>\b(?:subtract|take)) (?P<n>\S+)(?: points?)? from\b", "R101",
+     "`{x}` is not a word of the language", "say `deduct {n} from ...`"),
+    (r"(?P<x>\bgive) (?P<n>\d+)\b", "R101", "points are awarded", "say `award {n} to ...`"),
+    (rf"\bdeduct \S+ (?P<x>{_WHO})\b", "R101", "a word is missing before the player",
+     "say `from {x}`"),
+    (rf"\baward \S+ (?P<x>{_WHO})\b", "R101", "a word is missing before the player",
+     "say `to {x}`"),
+    (rf"\bgive {_WHO} (?P<x>ball in hand)\b", "R101", "it is the cue ball that is in hand",
+     "say `cue ball in hand`"),
+    (rf"\bgive (?P<x>(?:cue )?ball in hand) to (?P<w>{_WHO})\b", "R101",
+     "the player comes first", "say `give {w} cue ball in hand`"),
+    (r"(?P<x>,) else\b", "R101", "no comma stands before `else`", "leave it out"),
+    (r"\brequire [a-z-]+(?P<x>,)", "R101", "what is required is joined by `and` or `or`",
+     "write `and` or `or` for the comma"),
+    (r"(?P<x>\b(?P<w>shooter|opponent) score)\b", "R101", "the score comes first",
+     "say `score of {w}`"),
+    (r"(?<!\bis )(?<!\bare )(?<!\bnot )(?P<x>\b(?:at least|at most|more than|fewer than))\b",
+     "R101", "a comparison has `is` or `are`", "say `is {x}`"),
+    (r"^(?P<h>uses|game) (?P<x>(?P<n>[^\"]+?))\s*$", "R101", "this stands in quotes",
+     'write `{h} "{n}"`'),
+    (r"^phases (?:[a-z0-9-]+, )*(?P<a>[a-z0-9-]+) (?P<x>(?P<b>[a-z0-9-]+))", "R101",
+     "a comma is missing", "write `{a}, {b}`"),
+    (r"(?::|^)\s*(?P<x>(?P<n>[a-z][a-z0-9-]* of [a-z]+) (?:\+|plus) (?P<d>\d+))", "R101",
+     "a value is changed by `add`", "say `add {d} to {n}`"),
+    (r"(?P<x>\b(?P<a>[a-z]+) in a row)\b", "R101", "a name is one word",
+     "join it by hyphens: `{a}-in-a-row`"),
+    (r'\boverrides "[^"]*" (?P<x>and) "', "R101", "the names of rules are joined by commas",
+     "write a comma for `and`"),
+    (r'^\s*rule "[^"]*" (?P<x>\((?P<n>[^:]*)\))', "R101", "a cite stands in square brackets",
+     "write `[{n}]`"),
+    (r"^track \S+ (?P<x>(?:for )?(?:each|every)) (?P<w>shot|turn|game|match|player|side)\b", "R101",
+     "`{x}` does not fit here", "say `per {w}`"),
+    (rf"\b(?:at least|at most|more than|fewer than|exactly) (?P<x>{_WORDS})\b", "R101",
+     "a number is written in digits", "write digits for `{x}`"),
+    (r"(?P<x>\bsetup) ", "R101", "`{x}` is two words", "say `set up`"),
+    (r"(?P<x>\bfoot (?:is )?(?:off|not on)(?: the)? floor)\b", "R101", "this is told as an event",
+     "say `foot left floor`"),
+    (rf"\boffer (?P<x>to) (?P<w>{_WHO})\b", "R101", "`to` does not fit here",
+     "say `offer {w}:`"),
     (r"(?P<x>\bball (?P<n>\d+))\b", "R101", "a ball is called by number and `ball`",
      "write `{n}-ball`"),
     (r"(?P<x>\b(?P<n>\d+)ball)\b", "R101", "the hyphen of a ball is missing", "write `{n}-ball`"),
@@ -65,7 +112,7 @@ _PHRASES: tuple[tuple[str, str, str, str], ...] = (
      "say `define {n} as {x}`"),
     (r"(?P<x>\b(?P<a>[a-z]+) (?P<b>string|line|spot|zone)\b)", "R101", "a name is one word",
      "join it by a hyphen: `{a}-{b}`"),
-    (r"(?P<x>\bthen) (?:foul|award|deduct|spot|respot|give|turn|go|add|set|reset|remove)\b",
+    (rf"(?P<x>\bthen) (?:{_DUE})\b",
      "R102", "an `if` ends with a colon, not with `then`", "write `:` for `then`"),
     (r"^\s+(?P<x>(?P<a>[a-z][a-z-]*) (?P<b>[a-z][a-z-]*)):", "R101", "an option is one word",
      "join it by a hyphen: `{a}-{b}:`"),

@@ -51,8 +51,26 @@ def name(x: Expressions, node: s.Name, domain: str) -> Code:
     raise Mistake("R201", node.at, f'"{name}" is not known here', _mend(x, name))
 
 
+_OTHERWISE = {
+    "true": "yes", "false": "no", "on": "yes", "off": "no", "cueball": "cue ball",
+    "cue-ball": "cue ball", "object-ball": "object ball", "object-balls": "object balls",
+    "any-ball": "any ball", "next-player": "next player", "nobody": "none",
+}  # fmt: skip
+_NUMBERS = (
+    "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+    "twelve", "thirteen", "fourteen", "fifteen",
+)  # fmt: skip
+"""Number words, from one; a script writes digits."""
+
+
 def _mend(x: Expressions, name: str) -> str:
     known = x.scope.known()
+    if name in _OTHERWISE:
+        return f"say `{_OTHERWISE[name]}`"
+    word = name.removesuffix("-ball")
+    if word in _NUMBERS:
+        number = str(_NUMBERS.index(word) + 1)
+        return f"write `{number}-ball`" if word != name else f"write {number}"
     if name.isdigit() and name in x.scope.bits:
         return f"did you mean `{name}-ball`?"
     return nearest(name, known) or "define it, track it, or use a name of the variant"

@@ -83,12 +83,16 @@ def _scan_line(source: str, file: str, number: int, line: str) -> list[Diagnosti
         return one(
             "R109", long_number.start() + 1, "this number is too long", "nine digits at most"
         )
-    fraction = re.search(r"(?<![\d.\w-])\d+\.\d+(?! seconds)", re.sub(r"\[[^\]]*\]", _blank, code))
+    fraction = re.search(r"(?<![\d.\w-])\d+\.\d+(?! seconds)", _CITES.sub(_blank, code))
     if fraction and not code.startswith("language"):
         told = fraction.group()
         message = f"{told} is no whole number"
         return one("R308", fraction.start() + 1, message, f"say {round(float(told))}")
     return []
+
+
+_CITES = re.compile(r"\[[^\]]*\]|^\s*rule _+ \([^:]*\)")
+"""Cites, also those that stand in the wrong brackets; their numbers are sections."""
 
 
 def _blank(found: re.Match[str]) -> str:
@@ -187,6 +191,9 @@ def _special(
     before = row[: column - 1]
     if text == ":" and before.count("(") > before.count(")"):
         return "R108", "the bracket is not closed", "close it with `)` before the colon"
+    opened = before.rpartition("(")[2]
+    if _lists(before) and "`,`" in expected and not _SAYS.search(opened) and text[:1].isalnum():
+        return "R101", "the members of a list are parted by commas", f"write `, {text}`"
     if text == "not" and "`is`" in expected:
         return "R101", "`not` stands without `is`", "say `is not`"
     if last == "foul" and before.split()[-2:-1] != ["is"] and _in_condition(before):
@@ -203,6 +210,14 @@ def _special(
     if declares and _is_name(text) and _is_name(last) and len(before.split()) < 4:
         return "R101", f"a name is one word, but `{text}` follows", f"say `{last}-{text}`"
     return None
+
+
+_SAYS = re.compile(r"\b(?:is|are|and|or|not|when)\b")
+
+
+def _lists(before: str) -> bool:
+    """Tell whether a list in brackets is open at the end of a text."""
+    return before.count("(") > before.count(")")
 
 
 def _in_condition(before: str) -> bool:

@@ -106,6 +106,12 @@ def read_library(name: str, home: Path) -> tuple[str, str] | None:
     return None
 
 
+def script_names(home: Path) -> list[str]:
+    """Return the names of all scripts that one in `home` may use."""
+    folders = (home / "rules", home, shipped_folder() / "rules", shipped_folder())
+    return sorted({path.stem for folder in folders for path in folder.glob("*.rules")})
+
+
 class _Joiner:
     """Joins files; collects what is wrong on the way."""
 

@@ -7,7 +7,7 @@ raises them all at once. Importing this module reads nothing and starts nothing.
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from pydantic_core import ValidationError
@@ -19,9 +19,10 @@ from engine.variant.library import (
     open_variant,
     read_library,
     resolve,
+    script_names,
     shipped_folder,
 )
-from engine.variant.report import Report
+from engine.variant.report import Report, nearest
 from engine.variant.source import dotted, read_text
 from engine.variant.spec import VariantSpec
 from engine.variant.variant import Variant
@@ -300,4 +301,11 @@ def _script_mistakes(
     if draft is None or script is None:
         return []
     words = vocabulary_of(draft)
-    return list(check_script(script.text, str(script.path), words, script.library, cache))
+    found = check_script(script.text, str(script.path), words, script.library, cache)
+    return [_with_near_script(one, script.home) for one in found]
+
+
+def _with_near_script(one: Diagnostic, home: Path) -> Diagnostic:
+    """Return a mistake with the nearest script for its mend, where one to use is not found."""
+    near = nearest(one.message.split('"')[1], script_names(home)) if one.code == "R204" else ""
+    return replace(one, mend=near) if near.startswith("did") else one

@@ -62,14 +62,21 @@ class Report:
     def add_shape_errors(self, error: ValidationError, broken: Collection[str]) -> None:
         """Add every mistake of shape that was found, save what is missing in a `broken` part."""
         missing: dict[KeyPath, list[str]] = {}
+        misspelt: dict[KeyPath, list[str]] = {}
         for one in error.errors(include_url=False):
             if self.is_full:
                 return
             if one["type"] != "missing":
                 self._add_shape_error(one)
+                if one["type"] == "extra_forbidden":
+                    misspelt.setdefault(one["loc"][:-1], []).append(str(one["loc"][-1]))
             elif one["loc"][0] not in broken:
                 missing.setdefault(one["loc"][:-1], []).append(str(one["loc"][-1]))
-        for path, keys in missing.items():
+        for path, lacking in missing.items():
+            meant = [get_close_matches(name, lacking, 1, 0.6) for name in misspelt.get(path, ())]
+            keys = [key for key in lacking if [key] not in meant]
+            if not keys:
+                continue
             named = ", ".join(f"`{key}`" for key in keys)
             message = f"{named} {'is' if len(keys) == 1 else 'are'} missing"
             self.add("V102", (*path, keys[0]), message, _missing_mend(path, keys))
