@@ -1,4 +1,4 @@
-"""One mistake, one message: a misspelt key is not missing too, a misspelt script brings no others."""
+"""One slip, one message: a misspelt key is not missing too, a misspelt script brings no others."""
 
 from pathlib import Path
 
