@@ -31,12 +31,13 @@ Handler = Callable[["Account", int, Any], Any]
 class Account:
     """The events of a shot by what happened.
 
-    `seen[VERB]` are the balls and pins that did it, `happened` has a bit for each verb that
-    somebody did. `cue_hits` are (event number, balls) of the cue ball's own hits. `down` are the
-    balls that are off the bed when all is still, `named` the balls that some event names.
-    The rest is for the making: `gone` are the balls in pockets, `moved` those that touched a nose,
-    `struck` those of all hits, `cushioned` those of all cushions; `freed` has the balls, or their
-    contacts, that are frozen to a cushion no more.
+    `seen[VERB]` are the balls and pins that did it; `happened` has a bit for each verb that
+    somebody did, and `VERBS` places higher one for each that the cue ball did. `cue_hits` are
+    (event number, balls) of the cue ball's own hits. `down` are the balls that are off the bed
+    when all is still, `named` the balls that some event names. The rest is for the making: `gone`
+    are the balls in pockets, `moved` those that touched a nose, `struck` those of all hits,
+    `cushioned` those of all cushions; `freed` has the balls, or their contacts, that are frozen
+    to a cushion no more.
     """
 
     __slots__ = (
@@ -97,6 +98,8 @@ def _sum_up(x: Account) -> None:
                 for row in rows:
                     mask |= row[1]
             seen[verb] = mask
+            if mask & x.cue:
+                happened |= 1 << VERBS + verb
     x.happened = happened
 
 

@@ -11,6 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from rulelang.signs import UNKNOWN, Signs
+
 if TYPE_CHECKING:
     from rulelang.syntax import Span
     from rulelang.watch import Watch
@@ -19,6 +21,8 @@ BALLS, NUMBER, FLAG, PLAYER, NAME, NOTHING = (
     "balls", "number", "flag", "player", "name", "nothing",
 )  # fmt: skip
 SHOT, SCORES, FOULS = "shot", "scores", "fouls"
+CUE_BALL, OBJECT_BALLS = "cue ball", "object balls"
+"""What `word` says of a Code that is just this."""
 
 SPOKEN = {
     BALLS: "a set of balls",
@@ -42,8 +46,7 @@ class Code:
     `truth` is the closure to use as a condition, where that is not plain non-emptiness;
     `within` the same between two event numbers, `anchor` the number of the first event that
     makes it true (None: it did not happen), `witness` the numbers of all that did.
-    `needs` has a bit for each verb of which one must have happened for it to be true (0: not
-    known), `phases` are the phases in which it can be true (None: any).
+    `signs` tell what must be the case for it to be true.
     `shown` is what an explanation tells the value of, `beside` what it was compared with.
     `since` is the earliest section that may read it; `staged` that its value changes from
     section to section; `fouls` that it speaks of fouls.
@@ -65,8 +68,7 @@ class Code:
     text: str = ""
     shown: Code | None = None
     beside: Code | None = None
-    needs: int = 0
-    phases: frozenset[str] | None = None
+    signs: Signs = UNKNOWN
 
 
 class Mistake(Exception):  # noqa: N818

@@ -28,6 +28,7 @@ from rulelang.program import (
     Program,
     RuleInfo,
 )
+from rulelang.signs import UNKNOWN, Signs, of_all
 from rulelang.statements import Statements
 from rulelang.syntax import walk
 from rulelang.telling import in_phases
@@ -276,10 +277,10 @@ class _Work:
                 message = f"`{made.text}` is decided later than in `{section}:`"
                 at = span_of(script.source, made.text, rule.at)
                 raise Mistake("R402", at, message, "read it in a later section")
-        guard = statements.guard if len(rule.body) == 1 else None
-        phases = frozenset(rule.phases) if rule.phases else None
-        if guard is not None and guard[0].phases is not None:
-            phases = guard[0].phases if phases is None else phases & guard[0].phases
+        alone = len(rule.body) == 1
+        guard, signs = (statements.guard, statements.signs) if alone else (None, UNKNOWN)
+        if rule.phases:
+            signs = of_all([Signs(phases=frozenset(rule.phases)), signs])
         compiled = CompiledRule(
             number,
             info,
@@ -288,8 +289,10 @@ class _Work:
             statements.late or (section == "game end" and _ends(rule.body)),
             (),
             in_phases(rule.phases, tuple(statements.outline)),
-            0 if guard is None else guard[0].needs,
-            phases,
+            signs.all | signs.none,
+            signs.all,
+            signs.any,
+            signs.phases,
         )
         return compiled, statements.codes
 

@@ -15,6 +15,7 @@ from rulelang.closures import constant_name, joined, kind_mend
 from rulelang.code import Code, Mistake
 from rulelang.events_told import fits_set
 from rulelang.scope import nearest
+from rulelang.signs import FOUL, LEGAL, UNKNOWN, Signs, exactly, of_all, of_any, opposite
 from rulelang.watch import at_cushion, lie_in, together, touching
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class Conditions:
         made.truth = made.run
         made.word = node.word
         made.parts = tuple(parts)
-        _foresee(made, parts)
+        made.signs = (of_all if node.word == "and" else of_any)([part.signs for part in parts])
         return joined(made, *parts)
 
     def negation(self, node: s.Not) -> Code:
@@ -58,6 +59,7 @@ class Conditions:
         if part.within is not None:
             within = part.within
             made.within = lambda c, lo, hi: not within(c, lo, hi)
+        made.signs = opposite(part.signs)
         return joined(made, part)
 
     def compare(self, node: s.Is) -> Code:
@@ -70,16 +72,21 @@ class Conditions:
         if node.negated and not isinstance(subject, s.Quantified):
             run = made.run
             made.run = lambda c: not run(c)
-            if made.phases is not None:
-                made.phases = frozenset(self.x.scope.phases) - made.phases
+            made.signs = self._denied(made.signs)
         made.truth = made.run
         return made
+
+    def _denied(self, signs: Signs) -> Signs:
+        if signs.phases is None:
+            return opposite(signs)
+        return Signs(phases=frozenset(self.x.scope.phases) - signs.phases)
 
     def _quantified_is(self, node: s.Is, subject: s.Quantified) -> Code:
         base = self.x.want(subject.base, k.BALLS)
         test = self._members(node, base)
         whole, mask = base.run, test.run
         how, count, negated = subject.how, subject.count, node.negated
+        signs = of_all([base.signs, test.signs]) if how == "any" and not negated else UNKNOWN
 
         def run(c: Watch) -> bool:
             all_of = whole(c)
@@ -87,9 +94,9 @@ class Conditions:
             return fits_set(how, count, all_of & ~hit if negated else hit, all_of)
 
         if node.test.word in ("same", "one of"):
-            return joined(Code(k.FLAG, run, shown=base), base, test)
+            return joined(Code(k.FLAG, run, shown=base, signs=signs), base, test)
         hits = Code(k.BALLS, lambda c: mask(c) & whole(c), text=self._written(node.test))
-        return joined(Code(k.FLAG, run, shown=hits), base, test)
+        return joined(Code(k.FLAG, run, shown=hits, signs=signs), base, test)
 
     def _written(self, test: s.Test) -> str:
         """Return a test as the script has it, on one line."""
@@ -160,9 +167,11 @@ class Conditions:
     def _shot_is(self, test: s.Test, left: Code) -> Code:
         value = test.value
         if isinstance(value, s.Name) and value.name == "legal":
-            return joined(Code(k.FLAG, lambda c: c.legal, word="shot"), left)
+            return joined(Code(k.FLAG, lambda c: c.legal, word="shot", signs=exactly(LEGAL)), left)
         if isinstance(value, s.Noun) and value.words == "foul":
-            return joined(Code(k.FLAG, lambda c: not c.legal, word="shot"), left)
+            return joined(
+                Code(k.FLAG, lambda c: not c.legal, word="shot", signs=exactly(FOUL)), left
+            )
         raise Mistake("R302", test.at, "a shot is legal or foul", "say `shot is legal`")
 
     def _scores_are(self, test: s.Test, left: Code) -> Code:
@@ -182,6 +191,7 @@ class Conditions:
                 raise Mistake("R201", name.at, f'"{name.name}" is not a foul', mend)
             wanted.add(name.name)
         found = Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls), word="fouls")
+        found.signs = Signs(FOUL)
         return joined(found, left)
 
     def _number_is(self, test: s.Test, left: Code, subject: s.Expr) -> Code:
@@ -207,6 +217,7 @@ class Conditions:
         right = self._members(node, left)
         b = right.run
         made = Code(k.FLAG, lambda c: a(c) & b(c) != 0)
+        made.signs = of_all([left.signs, right.signs])
         if test.word in ("same", "one of"):
             made.shown, made.beside = left, right
         return joined(made, left, right)
@@ -219,8 +230,8 @@ class Conditions:
         a = left.run
         if None not in constants:
             table = frozenset(constants)
-            phases = table if left.word == "phase" else None
-            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left, phases=phases), left)
+            signs = Signs(phases=table) if left.word == "phase" else UNKNOWN
+            return joined(Code(k.FLAG, lambda c: a(c) in table, shown=left, signs=signs), left)
         runs = [code.run for code in codes]
         return joined(
             Code(k.FLAG, lambda c: a(c) in [run(c) for run in runs], shown=left), left, *codes
@@ -231,8 +242,8 @@ class Conditions:
         right = self._right(test.value, left)
         a, b, constant = left.run, right.run, right.constant
         if constant is not None:
-            phases = frozenset([constant]) if left.word == "phase" else None
-            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, phases=phases), left)
+            signs = Signs(phases=frozenset([constant])) if left.word == "phase" else UNKNOWN
+            return joined(Code(k.FLAG, lambda c: a(c) == constant, shown=left, signs=signs), left)
         return joined(Code(k.FLAG, lambda c: a(c) == b(c), shown=left, beside=right), left, right)
 
     def _right(self, node: s.Expr, left: Code) -> Code:
@@ -266,20 +277,6 @@ class Conditions:
                 "R306", node.at, f'"{fact}" is never "{node.name}"',
                 nearest(node.name, allowed) or listed,
             )  # fmt: skip
-
-
-def _foresee(made: Code, parts: list[Code]) -> None:
-    """Give a junction what must have happened, and in which phases it can hold."""
-    phases = [part.phases for part in parts if part.phases is not None]
-    if made.word == "and":
-        made.needs = next((part.needs for part in parts if part.needs), 0)
-        made.phases = frozenset.intersection(*phases) if phases else None
-        return
-    if all(part.needs for part in parts):
-        for part in parts:
-            made.needs |= part.needs
-    if len(phases) == len(parts):
-        made.phases = frozenset.union(*phases)
 
 
 def _all(tests: tuple[Any, ...]) -> k.Run:

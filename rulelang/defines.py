@@ -59,10 +59,7 @@ def defined(x: Expressions, name: str, at: s.Span) -> Code:
         if scope.below[-1] >= DEEPEST:
             raise _too_deep(name, at)
     made = scope.compiled[key]
-    return derive(
-        made, made.kind, made.run, truth=made.truth, domain=made.domain, needs=made.needs,
-        phases=made.phases,
-    )  # fmt: skip
+    return derive(made, made.kind, made.run, truth=made.truth, domain=made.domain, signs=made.signs)
 
 
 def cases(x: Expressions, node: s.Define) -> Code:
@@ -81,7 +78,7 @@ def cases(x: Expressions, node: s.Define) -> Code:
     if len(node.cases) == 1:
         made.shown, made.word = values[0], "define"
         if tests[0] is None:
-            made.needs, made.phases = values[0].needs, values[0].phases
+            made.signs = values[0].signs
     made.parts, made.constant, made.text = tuple(parts), None, node.name
     made.staged = staged
     made.since = max(part.since for part in parts)
@@ -132,8 +129,7 @@ def _case_value(x: Expressions, node: s.Expr) -> Code:
         if made.kind == k.BALLS and not counted:
             return made
         flag = derive(
-            made, k.FLAG, made.truth, truth=made.truth, needs=made.needs, phases=made.phases,
-            witness=made.witness,
-        )  # fmt: skip
+            made, k.FLAG, made.truth, truth=made.truth, signs=made.signs, witness=made.witness
+        )
         return flag if isinstance(node, s.Name) else x.watched(flag, node)
     return made

@@ -63,18 +63,24 @@ FLAGS = {
     "stroke was not played": w.OMITTED,
     "time was called": w.TIME,
 }
+OF_PINS = (w.FELL, w.LEANED, w.TOPPLED, w.PIN_TOUCHED)
+"""What pins do, alone or as well as balls."""
+TO_BALLS = (w.HIT, w.PRESSED, w.JUMPED)
+"""What is done to balls alone, and to others than who does it."""
 
 
 @value
 class Telling:
     """A verb with its target: `select` the balls that did it, `find` the events.
 
-    `verb` must have happened for any ball to be selected; -1 where that does not follow.
+    `verb` must have happened for any ball to be selected; -1 where that does not follow. `whole`:
+    whoever did it is selected.
     """
 
     select: Select
     find: Find
     verb: int = -1
+    whole: bool = False
 
 
 def bare(verb: int) -> Telling:
@@ -93,7 +99,7 @@ def bare(verb: int) -> Telling:
     def find(c: Watch, who: int, lo: int, hi: int) -> list[int]:
         return [n for n, a, _ in c.ev[verb] if a & who and lo < n < hi]
 
-    return Telling(select, find, verb)
+    return Telling(select, find, verb, whole=True)
 
 
 def matching(verb: int, match: Match) -> Telling:
@@ -116,8 +122,8 @@ def matching(verb: int, match: Match) -> Telling:
     return Telling(select, find, verb)
 
 
-def on_balls(verb: int, balls: Callable[[Watch], int]) -> Telling:
-    """Tell a verb done to any of a set of balls."""
+def on_balls(verb: int, balls: Callable[[Watch], int], *, whole: bool) -> Telling:
+    """Tell a verb done to any of a set of balls; `whole` where it cannot be done to others."""
 
     def select(c: Watch, who: int, lo: int, hi: int) -> int:
         if not c.seen[verb] & who:
@@ -133,7 +139,7 @@ def on_balls(verb: int, balls: Callable[[Watch], int]) -> Telling:
         target = balls(c)
         return [n for n, a, b in c.ev[verb] if a & who and b & target and lo < n < hi]
 
-    return Telling(select, find, verb)
+    return Telling(select, find, verb, whole=whole)
 
 
 def counted(verb: int, how: str, count: int, balls: Callable[[Watch], int] | None) -> Telling:

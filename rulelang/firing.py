@@ -53,9 +53,9 @@ def rules_of(program: Program, section: str, phase: str) -> tuple[CompiledRule, 
 def fire(rules: Iterable[CompiledRule], c: Watch) -> Fired:
     """Return the rules that fire, with their decisions."""
     fired: Fired = []
-    happened = c.happened
+    facts = c.facts
     for rule in rules:
-        if rule.needs and not rule.needs & happened:
+        if facts & rule.asked != rule.there or (rule.any and not facts & rule.any):
             continue
         made = rule.run(c)
         if made is not None:
@@ -85,8 +85,7 @@ def judge_fouls(program: Program, c: Watch, log: Any) -> None:
     """Ask the rules of the fouls; those that speak of fouls see what the others left."""
     c.stage = FOULS
     early = fire(rules_of(program, "fouls", c.phase), c)
-    c.fouls = _fouls(override(early)[0])
-    c.legal = not c.fouls
+    c.rule_on(_fouls(override(early)[0]))
     late_rules = rules_of(program, "late fouls", c.phase)
     if late_rules:
         clear(c.memo, program.staged)
@@ -94,8 +93,7 @@ def judge_fouls(program: Program, c: Watch, log: Any) -> None:
     fired, beaten = override(early)
     if log is not None:
         log.append(((*program.compiled["fouls"], *program.compiled["late fouls"]), fired, beaten))
-    c.fouls = _fouls(fired)
-    c.legal = not c.fouls
+    c.rule_on(_fouls(fired))
     clear(c.memo, program.staged)
 
 

@@ -13,6 +13,7 @@ from rulelang import code as k
 from rulelang import events_told as t
 from rulelang import syntax as s
 from rulelang.code import Code, Mistake
+from rulelang.signs import CUE, PLACED, Signs, exactly, of_all, opposite
 from rulelang.watch import BEGIN, END, lie_in, stayed_together, touching
 
 if TYPE_CHECKING:
@@ -79,12 +80,24 @@ class Happenings:
         made = Code(k.BALLS, lambda c: chosen(c, BEGIN, END))
         made.within, made.anchor, made.witness = within, anchor, witness
         if telling.verb >= 0 and (how in ("any", "only") or (how == "at least" and number > 0)):
-            made.needs = 1 << telling.verb
-        if how == "any":
+            made.signs = self._signs(telling, base, exact=how == "any")
+        if made.signs.exact:
+            bit = made.signs.exact
+            made.truth = lambda c: c.facts & bit != 0
+        elif how == "any":
             made.truth = lambda c: select(c, subject(c), BEGIN, END) != 0
         else:
             made.truth = lambda c: within(c, BEGIN, END)
         return made
+
+    def _signs(self, telling: Telling, base: Code, *, exact: bool) -> Signs:
+        """Return the signs of somebody's having done something."""
+        if base.word == k.CUE_BALL:
+            bit = 1 << CUE + telling.verb
+        else:
+            bit = 1 << telling.verb
+            exact = exact and base.constant == self.x.scope.balls and telling.verb not in t.OF_PINS
+        return exactly(bit) if exact and telling.whole else Signs(bit)
 
     def _telling(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
         word, target = verb.word, verb.target
@@ -149,10 +162,15 @@ class Happenings:
             how, count, target = target.how, target.count, target.base
         balls = self.x.want(target, k.BALLS)
         if how == "any":
-            return t.on_balls(number, balls.run), (balls,)
+            return t.on_balls(number, balls.run, whole=self._is_everything(balls, number)), (balls,)
         if how == "no":
-            return _denied(t.on_balls(number, balls.run)), (balls,)
+            return _denied(t.on_balls(number, balls.run, whole=False)), (balls,)
         return t.counted(number, how, count, balls.run), (balls,)
+
+    def _is_everything(self, whom: Code, verb: int) -> bool:
+        """Tell whether a verb cannot be done to anything else, if not by the ball itself."""
+        every = whom.constant == self.x.scope.balls or whom.word == k.OBJECT_BALLS
+        return every and verb in t.TO_BALLS
 
     def _touching(self, verb: s.Verb) -> tuple[Telling, tuple[Code, ...]]:
         assert verb.target is not None  # noqa: S101
@@ -178,7 +196,7 @@ class Happenings:
             wanted = c.situation.in_hand if zone == "zone" else zone
             return wanted is not None and ((wanted not in placed) == outside)
 
-        return Code(k.FLAG, truth, truth=truth)
+        return Code(k.FLAG, truth, truth=truth, signs=Signs(PLACED))
 
     def _alone(self, node: s.Happened) -> Code:
         word = node.verb.word
@@ -186,7 +204,9 @@ class Happenings:
         if word in t.FLAGS:
             return self._told(t.bare(t.FLAGS[word]), _one(), "any", 0)
         if word == "stroke was played":
-            return _flag(lambda c: c.stroke)
+            played = _flag(lambda c: c.stroke)
+            played.signs = Signs(none=1 << w.OMITTED)
+            return played
         if word == "safety was called":
             return _flag(lambda c: c.call is not None and c.call.safety)
         if word == "safety was not called":
@@ -228,7 +248,8 @@ class Happenings:
                 return (END, END)
             return (BEGIN, moment) if word == "before" else (moment, END)
 
-        made = Code(k.FLAG, lambda c: within(c, *window(c)), needs=first.needs)
+        made = Code(k.FLAG, lambda c: within(c, *window(c)))
+        made.signs = of_all([first.signs])
         if witness is not None:
             made.witness = lambda c, _lo, _hi: witness(c, *window(c))
         return made

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING
 
 from rulelang import code as k
 from rulelang import syntax as s
-from rulelang.account import POCKETED
+from rulelang.account import HIT, POCKETED
 from rulelang.chance import draw
 from rulelang.closures import derive, joined, leader, opponent, singles
 from rulelang.code import Code
 from rulelang.ends import loser, winner
 from rulelang.events_told import fits_set
 from rulelang.program import CONSEQUENCE, STAGE
+from rulelang.signs import CUE, Signs, of_all
 
 if TYPE_CHECKING:
     from rulelang.expressions import Expressions
@@ -24,11 +25,11 @@ if TYPE_CHECKING:
 
 ORDINALS = {"first": 0, "second": 1, "third": 2, "last": -1}
 _NOUNS: dict[str, tuple[str, k.Run]] = {
-    "it": (k.BALLS, lambda c: c.it),
-    "cue ball": (k.BALLS, lambda c: c.cue),
-    "struck ball": (k.BALLS, lambda c: c.cue),
-    "object ball": (k.BALLS, lambda c: c.objects),
-    "object balls": (k.BALLS, lambda c: c.objects),
+    "it": ("", lambda c: c.it),
+    "cue ball": (k.CUE_BALL, lambda c: c.cue),
+    "struck ball": (k.CUE_BALL, lambda c: c.cue),
+    "object ball": (k.OBJECT_BALLS, lambda c: c.objects),
+    "object balls": (k.OBJECT_BALLS, lambda c: c.objects),
 }
 _PLAYERS: dict[str, k.Run] = {
     "shooter": lambda c: c.shooter,
@@ -47,8 +48,8 @@ def noun(x: Expressions, node: s.Noun) -> Code:
     """Compile a noun of the language."""
     words = node.words
     if words in _NOUNS:
-        kind, run = _NOUNS[words]
-        return Code(kind, run)
+        word, run = _NOUNS[words]
+        return Code(k.BALLS, run, word=word)
     if words in ("ball", "balls", "pin", "pins"):
         mask = x.scope.balls if words.startswith("ball") else x.scope.pins
         return Code(k.BALLS, lambda _c: mask, constant=mask)
@@ -73,7 +74,8 @@ def noun(x: Expressions, node: s.Noun) -> Code:
     if words in ("foul", "fouls"):
         return Code(k.FOULS, lambda c: c.fouls, staged=True, fouls=True)
     x.after_shot(node, words)
-    return Code(k.BALLS, _ordinal(words))
+    signs = Signs(1 << POCKETED if words.endswith("pocketed") else 1 << CUE + HIT)
+    return Code(k.BALLS, _ordinal(words), signs=signs)
 
 
 def player(_x: Expressions, node: s.Player) -> Code:
@@ -121,7 +123,8 @@ def except_(x: Expressions, node: s.Except) -> Code:
     """Compile `A except B`."""
     base, but = x.want(node.base, k.BALLS), x.want(node.but, k.BALLS)
     a, b = base.run, but.run
-    return joined(Code(k.BALLS, lambda c: a(c) & ~b(c)), base, but)
+    made = Code(k.BALLS, lambda c: a(c) & ~b(c), signs=of_all([base.signs]))
+    return joined(made, base, but)
 
 
 def listing(x: Expressions, node: s.Listing) -> Code:
@@ -142,7 +145,8 @@ def narrowed(x: Expressions, node: s.OnTable) -> Code:
     """Compile `X on table`."""
     base = x.want(node.base, k.BALLS)
     run, on = base.run, x.on_table()
-    return joined(Code(k.BALLS, lambda c: run(c) & on(c)), base)
+    made = Code(k.BALLS, lambda c: run(c) & on(c), signs=of_all([base.signs]))
+    return joined(made, base)
 
 
 def standing(x: Expressions, node: s.Standing) -> Code:

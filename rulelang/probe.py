@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from frozen import value
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.signs import UNKNOWN
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -93,7 +94,7 @@ class Probe:
         made.truth = watched
         if made.kind == k.FLAG:
             made.run = watched
-        made.needs, made.phases = 0, None
+        made.signs = UNKNOWN
         return made
 
     def body(

@@ -89,9 +89,9 @@ class CompiledRule:
     """A rule's closure and what it overrides, by numbers of rules.
 
     `run` returns the decisions of a rule that fired, None for a silent one. `late`: a rule of
-    the fouls that speaks of fouls. `outline` is what an explanation walks again. `needs` has a
-    bit for each verb of which one must have happened for it to fire (0: any shot may do),
-    `phases` are the phases in which it can fire (None: all).
+    the fouls that speaks of fouls. `outline` is what an explanation walks again. A rule
+    of whose signs the bits `asked` are not just those `there` cannot fire, nor one without `any`
+    of some others (0: there are none); `phases` are the phases in which it can (None: all).
     """
 
     number: int
@@ -101,7 +101,9 @@ class CompiledRule:
     late: bool
     overrides: tuple[int, ...]
     outline: Outline
-    needs: int = 0
+    asked: int = 0
+    there: int = 0
+    any: int = 0
     phases: frozenset[str] | None = None
 
 

@@ -17,6 +17,7 @@ from rulelang.closures import singles
 from rulelang.code import Code, Mistake
 from rulelang.constructs import expressions_in
 from rulelang.program import Consequence
+from rulelang.signs import UNKNOWN
 from rulelang.telling import Branches, Deed, Loop
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ class Statements:
         self.depth = 0
         self.free = False
         self.guard: tuple[Code, Run] | None = None
+        self.signs = UNKNOWN
         self.troubles: list[Mistake] = []
 
     def body(self, nodes: tuple[s.Statement, ...]) -> Run:
@@ -169,7 +171,7 @@ class Statements:
         if len(pairs) == 1 and len(node.branches) == 1 and otherwise is None:
             test, then = pairs[0]
             if outermost:
-                self.guard = (made, then)
+                self.guard, self.signs = (made, then), made.signs
             return lambda c, out: then(c, out) if test(c) else False
 
         def run(c: Watch, out: list[Decision]) -> bool:
@@ -209,6 +211,8 @@ class Statements:
 
             return players
         over = self.value(node.over, k.BALLS)
+        if self.depth <= 1 and not self.free:
+            self.signs = over.signs
         balls = over.run
         body, inner = self._under(node.body)
         self.outline.append(Loop(over, inner))

@@ -19,6 +19,7 @@ from rulelang.account import (
     POCKETED,
     account_of,
 )
+from rulelang.signs import FOUL, LEGAL, PLACED
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -50,11 +51,45 @@ class Watch:
     """What the rules of one judgement read; the evaluator moves it from section to section."""
 
     __slots__ = (
-        "actions", "balls", "bits", "call", "chooser", "chosen", "continues", "cue",
-        "cue_hits", "ev", "fouls", "fuel", "happened", "homes", "it", "legal", "mates", "memo",
-        "names", "next_phase", "next_player", "objects", "on_after", "on_before", "phase",
-        "player", "players", "scores", "seen", "shooter", "shot", "situation", "stage", "state",
-        "stroke", "up_after", "up_before", "values", "winner",
+        "actions",
+        "balls",
+        "bits",
+        "call",
+        "chooser",
+        "chosen",
+        "continues",
+        "cue",
+        "cue_hits",
+        "ev",
+        "facts",
+        "fouls",
+        "fuel",
+        "homes",
+        "it",
+        "legal",
+        "mates",
+        "memo",
+        "names",
+        "next_phase",
+        "next_player",
+        "objects",
+        "on_after",
+        "on_before",
+        "phase",
+        "player",
+        "players",
+        "scores",
+        "seen",
+        "shooter",
+        "shot",
+        "situation",
+        "stage",
+        "state",
+        "stroke",
+        "up_after",
+        "up_before",
+        "values",
+        "winner",
     )  # fmt: skip
 
     def __init__(
@@ -101,8 +136,13 @@ class Watch:
         self.ev, self.seen = _NOTHING.ev, _NOTHING.seen
         self.cue_hits: list[tuple[int, int]] = []
         self.stroke = True
-        self.happened = 0
+        self.facts = LEGAL
         self.fuel = FUEL
+
+    def rule_on(self, fouls: tuple[Any, ...]) -> None:
+        """Take note of which fouls were found: without any the shot is legal."""
+        self.fouls, self.legal = fouls, not fouls
+        self.facts = self.facts & ~(LEGAL | FOUL) | (FOUL if fouls else LEGAL)
 
     def burn(self) -> None:
         """Count one turn of a loop; raises OutOfFuel when there were too many."""
@@ -121,7 +161,10 @@ class Watch:
             bits, shot.struck, self.situation.frozen, shot.events, delay
         )
         self.ev, self.seen = account.ev, account.seen
-        self.cue_hits, self.happened = account.cue_hits, account.happened
+        self.cue_hits = account.cue_hits
+        self.facts = account.happened | LEGAL
+        if shot.placed is not None:
+            self.facts |= PLACED
         seen = self.seen
         self.on_after = self.on_before & ~(seen[POCKETED] | seen[LEFT_TABLE])
         self.up_after = self.up_before & ~(seen[FELL] | seen[LEANED])
