@@ -77,8 +77,35 @@ def account_of(
     `struck` is the ball that the tip struck, `frozen` who touched whom before the stroke.
     """
     x = Account(bits, bits[struck], frozen, delay)
+    hits, cushions, cue, struck_ones, cushioned = x.ev[HIT], x.ev[CUSHION], x.cue, 0, 0
     for number, event in enumerate(events):
-        _HANDLERS[type(event)](x, number, event)
+        kind = type(event)
+        if kind is e.BallsHit:
+            ball, others = bits[event.ball], 0
+            for name in event.others:
+                others |= bits[name]
+            both = ball | others
+            if both & x.gone:
+                _hit_pocketed(x, number, both)
+                continue
+            hits.append((number, ball, others))
+            hits.append((number, others, ball))
+            if both & cue:
+                x.cue_hits.append((number, others if ball == cue else ball))
+            if x.frozen is not None and not ball & (x.moved | struck_ones):
+                _press(x, x.frozen, number, event)
+            struck_ones |= both
+        elif kind is e.CushionHit:
+            ball = bits[event.ball]
+            x.moved |= ball
+            if x.frozen is not None and _is_pressed(x, x.frozen, event):
+                x.ev[PRESSED_CUSHION].append((number, ball, event.cushion))
+                continue
+            cushioned |= ball
+            cushions.append((number, ball, event.cushion))
+        else:
+            _HANDLERS[kind](x, number, event)
+    x.struck, x.cushioned = struck_ones, cushioned
     _sum_up(x)
     return x
 
@@ -107,22 +134,9 @@ def _number(row: Row) -> int:
     return row[0]
 
 
-def _balls_hit(x: Account, number: int, event: Any) -> None:
-    bits = x.bits
-    ball, others = bits[event.ball], 0
-    for name in event.others:
-        others |= bits[name]
-    both = ball | others
-    if both & x.gone:
-        x.named |= both
-        x.ev[HIT_POCKETED].append((number, both & ~x.gone, both))
-        return
-    x.ev[HIT] += ((number, ball, others), (number, others, ball))
-    if both & x.cue:
-        x.cue_hits.append((number, others if ball == x.cue else ball))
-    if x.frozen is not None and not ball & (x.moved | x.struck):
-        _press(x, x.frozen, number, event)
-    x.struck |= both
+def _hit_pocketed(x: Account, number: int, both: int) -> None:
+    x.named |= both
+    x.ev[HIT_POCKETED].append((number, both & ~x.gone, both))
 
 
 def _press(x: Account, frozen: AbstractSet[Pair], number: int, event: Any) -> None:
@@ -134,18 +148,15 @@ def _press(x: Account, frozen: AbstractSet[Pair], number: int, event: Any) -> No
             x.ev[PRESSED] += ((number, ball, met), (number, met, ball))
 
 
-def _cushion_hit(x: Account, number: int, event: Any) -> None:
-    ball = x.bits[event.ball]
-    x.moved |= ball
-    row = (number, ball, event.cushion)
-    if x.frozen is not None and event.ball not in x.freed:
-        pair = (event.ball, f"cushion {event.cushion}")
-        if pair in x.frozen and pair not in x.freed:
-            x.ev[PRESSED_CUSHION].append(row)
-            return
-        x.freed.add(event.ball)
-    x.cushioned |= ball
-    x.ev[CUSHION].append(row)
+def _is_pressed(x: Account, frozen: AbstractSet[Pair], event: Any) -> bool:
+    """Tell whether a ball is pressed into the cushion that it lies frozen to."""
+    if event.ball in x.freed:
+        return False
+    pair = (event.ball, f"cushion {event.cushion}")
+    if pair in frozen and pair not in x.freed:
+        return True
+    x.freed.add(event.ball)
+    return False
 
 
 def _cushion_left(x: Account, number: int, event: Any) -> None:
@@ -230,8 +241,6 @@ def _leaned(x: Account, number: int, event: Any) -> None:
 
 
 _HANDLERS: dict[type, Handler] = {
-    e.BallsHit: _balls_hit,
-    e.CushionHit: _cushion_hit,
     e.CushionLeft: _cushion_left,
     e.JawHit: _jaw_hit,
     e.OutsideHit: _alone(OUTSIDE),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rulelang.closures import clear, player_before
+from rulelang.closures import forget, fresh, player_before
 from rulelang.decisions import Decisions, InHand
 from rulelang.explain import outcome_of, said_of
 from rulelang.facts import Rest, Shot
@@ -57,7 +57,8 @@ def choose(
         c.objects = program.ball_mask & ~c.cue
         if made is not None and made.to == "opponent":
             c.shooter = player_before(c, situation.shooter)
-    clear(c.memo, tuple(range(program.memo_size)))
+    c.memo = fresh(program.lasting)
+    forget(c)
     c.chooser = c.next_player = situation.shooter
     c.chosen = program.bits.get(ball or "", 0)
     c.phase = situation.phase if before is None else before.phase

@@ -74,17 +74,24 @@ def joined(made: Code, *parts: Code) -> Code:
     return made
 
 
-def remembered(slot: int, run: k.Run) -> k.Run:
-    """Return a closure that runs once until its slot is cleared."""
+def remembered(slot: int, run: k.Run, *, staged: bool) -> k.Run:
+    """Return a closure that runs once for a shot, or where `staged`, once for a section."""
 
-    def read(c: Watch) -> Any:
+    def lasting(c: Watch) -> Any:
         memo = c.memo
         found = memo[slot]
         if found is _UNSET:
             found = memo[slot] = run(c)
         return found
 
-    return read
+    def passing(c: Watch) -> Any:
+        memo = c.passing
+        found = memo[slot]
+        if found is _UNSET:
+            found = memo[slot] = run(c)
+        return found
+
+    return passing if staged else lasting
 
 
 def fresh(size: int) -> list[Any]:
@@ -92,10 +99,9 @@ def fresh(size: int) -> list[Any]:
     return [_UNSET] * size
 
 
-def clear(memo: list[Any], slots: tuple[int, ...]) -> None:
-    """Forget what the slots hold."""
-    for slot in slots:
-        memo[slot] = _UNSET
+def forget(c: Watch) -> None:
+    """Forget what may change from section to section."""
+    c.passing = fresh(len(c.passing))
 
 
 def chain(pairs: list[tuple[k.Run | None, k.Run]], default: Any) -> k.Run:

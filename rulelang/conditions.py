@@ -129,7 +129,7 @@ class Conditions:
                 assert test.value is not None  # noqa: S101
                 other = self.x.want(test.value, k.BALLS)
                 run = other.run
-                return joined(Code(k.BALLS, lambda c: touching(c, run(c), start=frozen)), other)
+                return joined(Code(k.BALLS, lambda c: touching(c, run, start=frozen)), other)
             case "same" | "one of":
                 assert test.value is not None  # noqa: S101
                 return self.x.want(test.value, k.BALLS)

@@ -73,7 +73,9 @@ def cases(x: Expressions, node: s.Define) -> Code:
         for test, value in zip(tests, values, strict=True)
     ]
     staged = any(part.staged for part in parts)
-    made = derive(values[0], kind, remembered(_slot(x, staged=staged), chain(pairs, default)))
+    made = derive(
+        values[0], kind, remembered(_slot(x, staged=staged), chain(pairs, default), staged=staged)
+    )
     made.word = ""
     if len(node.cases) == 1:
         made.shown, made.word = values[0], "define"
@@ -103,12 +105,13 @@ def _of_one_kind(x: Expressions, node: s.Define) -> tuple[str, list[Code]]:
 
 
 def _slot(x: Expressions, *, staged: bool) -> int:
-    """Return a place of the memory; what is staged is forgotten at every section."""
-    slot = x.scope.memo_size
-    x.scope.memo_size += 1
+    """Return a place of the memory, of its own for what is staged."""
+    scope = x.scope
     if staged:
-        x.scope.staged.append(slot)
-    return slot
+        scope.passing += 1
+        return scope.passing - 1
+    scope.lasting += 1
+    return scope.lasting - 1
 
 
 def _is_set(node: s.Expr) -> bool:

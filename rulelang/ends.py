@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rulelang.closures import clear, opponent
+from rulelang.closures import forget, opponent
 from rulelang.firing import override
 from rulelang.moment import endings_of
 from rulelang.settle import sum_points, write_state
@@ -77,7 +77,7 @@ def _apply(program: Program, c: Watch, fired: Fired, points: list[int]) -> list[
     given = sum_points(fired, c.players, program.mates)
     c.state = write_state(program, fired, c.state)
     c.scores = tuple(a + b for a, b in zip(c.scores, given, strict=True))
-    clear(c.memo, program.staged)
+    forget(c)
     return [a + b for a, b in zip(points, given, strict=True)]
 
 

@@ -9,27 +9,44 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
-from rulelang.closures import clear
+from rulelang.closures import forget
 from rulelang.decisions import RuleOutcome
 from rulelang.program import STAGE
 from rulelang.telling import balls, why
 from rulelang.watch import FUEL
 
 if TYPE_CHECKING:
-    from rulelang.program import CompiledRule, Program, RuleInfo
+    from rulelang.program import CompiledRule, RuleInfo
     from rulelang.watch import Watch
+
+
+class Log:
+    """What is kept of a judgement for its explanation: how rules fared, what sections saw."""
+
+    __slots__ = ("rules", "views")
+
+    def __init__(self) -> None:
+        self.rules: list[tuple[tuple[CompiledRule, ...], Any, Any]] = []
+        self.views: list[tuple[Any, ...]] = []
+
+    def look(self, c: Watch) -> None:
+        """Keep what a section sees."""
+        self.views.append(
+            (
+                c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
+                c.actions, c.homes,
+            )
+        )  # fmt: skip
 
 
 class Explanation(Sequence[RuleOutcome]):
     """The outcomes of a judgement's rules, rendered on first use."""
 
-    __slots__ = ("_log", "_outcomes", "_program", "_views", "_watch")
+    __slots__ = ("_log", "_outcomes", "_watch")
 
-    def __init__(self, program: Program, watch: Watch, log: Any, views: Any) -> None:
-        self._program = program
+    def __init__(self, watch: Watch, log: Log) -> None:
         self._watch = watch
         self._log = log
-        self._views = views
         self._outcomes: tuple[RuleOutcome, ...] | None = None
 
     @overload
@@ -40,7 +57,7 @@ class Explanation(Sequence[RuleOutcome]):
         return self.outcomes()[index]
 
     def __len__(self) -> int:
-        return sum(len(rules) for rules, _, _ in self._log)
+        return sum(len(rules) for rules, _, _ in self._log.rules)
 
     def __iter__(self) -> Iterator[RuleOutcome]:
         return iter(self.outcomes())
@@ -57,10 +74,10 @@ class Explanation(Sequence[RuleOutcome]):
     def outcomes(self) -> tuple[RuleOutcome, ...]:
         """Return every outcome, in the order of sections and script."""
         if self._outcomes is None:
-            over = _ender(self._log)
+            over = _ender(self._log.rules)
             self._outcomes = tuple(
                 self._tell(rule, *_in_force(rule, over, *self._fared(rule, fired, beaten)))
-                for rules, fired, beaten in self._log
+                for rules, fired, beaten in self._log.rules
                 for rule in rules
             )
         return self._outcomes
@@ -92,15 +109,13 @@ class Explanation(Sequence[RuleOutcome]):
     def _look(self, stage: int, *, late: bool) -> None:
         """Set the watch to what a section saw."""
         c = self._watch
-        view = self._views[max(0, stage - 2)] if self._views else None
-        if view is not None:
-            (
-                c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
-                c.actions, c.homes,
-            ) = view  # fmt: skip
+        (
+            c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
+            c.actions, c.homes,
+        ) = self._log.views[max(0, stage - 2)]  # fmt: skip
         if stage == 1 and not late:
             c.fouls, c.legal = (), True
-        clear(c.memo, self._program.staged)
+        forget(c)
 
 
 def outcome_of(

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rulelang.closures import clear
+from rulelang.closures import forget
 from rulelang.decisions import Foul
 from rulelang.program import SECTIONS, CompiledRule
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from rulelang.explain import Log
     from rulelang.program import Program
     from rulelang.watch import Watch
 
@@ -22,14 +23,10 @@ Fired = list[tuple[CompiledRule, list[tuple[Any, ...]]]]
 FOULS, POINTS, TURN, TABLE, NEXT_SHOT, ENDING = range(1, 7)
 
 
-def enter(program: Program, c: Watch, stage: int) -> None:
-    """Move on to a section: what changes from section to section is read anew."""
-    c.stage = stage
-    clear(c.memo, program.staged)
-
-
-def ask(program: Program, c: Watch, stage: int, log: Any) -> Fired:
+def ask(program: Program, c: Watch, stage: int, log: Log | None) -> Fired:
     """Return the rules of a section that fired and are not overridden, with their decisions."""
+    if log is not None:
+        log.look(c)
     c.stage = stage
     name = SECTIONS[stage]
     fired = fire(rules_of(program, name, c.phase), c)
@@ -37,13 +34,13 @@ def ask(program: Program, c: Watch, stage: int, log: Any) -> Fired:
     if fired:
         fired, beaten = override(fired)
     if log is not None:
-        log.append((program.compiled[name], fired, beaten))
+        log.rules.append((program.compiled[name], fired, beaten))
     return fired
 
 
 def rules_of(program: Program, section: str, phase: str) -> tuple[CompiledRule, ...]:
     """Return the rules of a section that can fire in a phase."""
-    found = program.by_phase.get(section, {}).get(phase)
+    found = program.by_phase[section].get(phase) if section in program.by_phase else None
     if found is not None:
         return found
     rules = program.compiled.get(section, ())
@@ -81,23 +78,27 @@ def override(fired: Fired) -> tuple[Fired, dict[int, CompiledRule]]:
     return [(rule, made) for rule, made in fired if rule.number not in beaten], beaten
 
 
-def judge_fouls(program: Program, c: Watch, log: Any) -> None:
+def judge_fouls(program: Program, c: Watch, log: Log | None) -> None:
     """Ask the rules of the fouls; those that speak of fouls see what the others left."""
     c.stage = FOULS
     early = fire(rules_of(program, "fouls", c.phase), c)
-    c.rule_on(_fouls(override(early)[0]))
+    fired, beaten = override(early)
+    c.rule_on(_fouls(fired))
     late_rules = rules_of(program, "late fouls", c.phase)
     if late_rules:
-        clear(c.memo, program.staged)
-        early += fire(late_rules, c)
-    fired, beaten = override(early)
+        forget(c)
+        fired, beaten = override(early + fire(late_rules, c))
+        c.rule_on(_fouls(fired))
     if log is not None:
-        log.append(((*program.compiled["fouls"], *program.compiled["late fouls"]), fired, beaten))
-    c.rule_on(_fouls(fired))
-    clear(c.memo, program.staged)
+        log.rules.append(
+            ((*program.compiled["fouls"], *program.compiled["late fouls"]), fired, beaten)
+        )
+    forget(c)
 
 
 def _fouls(fired: Fired) -> tuple[Foul, ...]:
+    if not fired:
+        return ()
     found: dict[str, Foul] = {}
     alone: dict[str, Foul] = {}
     for rule, made in fired:

@@ -178,7 +178,7 @@ class Happenings:
         balls = self.x.want(target, k.BALLS)
         run, start = balls.run, self.x.frozen
         return t.Telling(
-            lambda c, who, _lo, _hi: who & touching(c, run(c), start=start),
+            lambda c, who, _lo, _hi: who & touching(c, run, start=start),
             lambda _c, _who, _lo, _hi: [],
         ), (balls,)
 

@@ -6,12 +6,13 @@ becomes the next section's view. Invariant: a watch only moves on, never back to
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from operator import add
+from typing import TYPE_CHECKING
 
-from rulelang.closures import opponent
-from rulelang.decisions import Decisions, Ending, InHand, Offer
+from rulelang.closures import forget, opponent
+from rulelang.decisions import Decisions, Ending, InHand, Offer, Rerack
 from rulelang.ends import close
-from rulelang.explain import Explanation
+from rulelang.explain import Explanation, Log
 from rulelang.firing import (
     ENDING,
     NEXT_SHOT,
@@ -20,7 +21,6 @@ from rulelang.firing import (
     TURN,
     Fired,
     ask,
-    enter,
     judge_fouls,
 )
 from rulelang.moment import endings_of, homes_of, look
@@ -50,18 +50,12 @@ def judge_shot(
     """Return all decisions about a shot, and the watch as the last section left it."""
     c = look(program, situation)
     c.show(shot, program.settled_within)
-    log: list[Any] | None = [] if explain else None
-    views: list[tuple[Any, ...]] = []
+    log = Log() if explain else None
     judge_fouls(program, c, log)
-    _keep(views, c, log)
     points = _points(program, c, log)
-    _keep(views, c, log)
     turn = _turn(program, c, log)
-    _keep(views, c, log)
     _table(program, c, log)
-    _keep(views, c, log)
     in_hand, offers, written = _next_shot(program, c, log)
-    _keep(views, c, log)
     ended, eliminated, extra = _ending(program, situation, c, log)
     points = tuple(a + b for a, b in zip(points, extra, strict=True)) if ended else points
     next_player = _still_in(c, turn, eliminated)
@@ -77,88 +71,82 @@ def judge_shot(
         phase=c.next_phase,
         next_player=next_player,
         continues=turn.continues,
-        table=tuple(a for a in c.actions if not (over and type(a).__name__ == "Rerack")),
+        table=tuple(a for a in c.actions if not isinstance(a, Rerack)) if over else c.actions,
         in_hand=None if over else in_hand,
         offers=() if over else offers,
         endings=ended,
         eliminated=eliminated,
         homes=c.homes,
-        explanation=() if log is None else Explanation(program, c, log, views),  # type: ignore[arg-type]
+        explanation=() if log is None else Explanation(c, log),  # type: ignore[arg-type]
     )
     return c, decisions
 
 
-def _points(program: Program, c: Watch, log: Any) -> tuple[int, ...]:
+def _points(program: Program, c: Watch, log: Log | None) -> tuple[int, ...]:
     fired = ask(program, c, POINTS, log)
     points = sum_points(fired, c.players, program.mates)
-    state = write_state(program, fired, c.state)
-    enter(program, c, TURN)
-    c.state = state
-    if any(points):
-        c.scores = tuple(a + b for a, b in zip(c.scores, points, strict=True))
+    if fired:
+        _write(program, c, fired)
+        if any(points):
+            c.scores = tuple(map(add, c.scores, points))
     return points
 
 
-def _turn(program: Program, c: Watch, log: Any) -> Turn:
+def _write(program: Program, c: Watch, fired: Fired) -> None:
+    """Write what a section decided; what changes from section to section is read anew."""
+    c.state = write_state(program, fired, c.state)
+    forget(c)
+
+
+def _turn(program: Program, c: Watch, log: Log | None) -> Turn:
     fired = ask(program, c, TURN, log)
     turn = decide_turn(fired, c)
-    c.state = write_state(program, fired, c.state)
+    if fired:
+        _write(program, c, fired)
     c.continues, c.next_phase = turn.continues, decide_phase(fired) or c.phase
     c.next_player = _to_play(c, turn)
-    enter(program, c, TABLE)
-    c.homes = homes_of(program, c)
+    c.homes = homes_of(program, c) if program.homes else {}
     return turn
 
 
-def _table(program: Program, c: Watch, log: Any) -> None:
+def _table(program: Program, c: Watch, log: Log | None) -> None:
     fired = ask(program, c, TABLE, log)
-    c.state = write_state(program, fired, c.state)
-    c.actions = table_actions(program, fired, c)
-    enter(program, c, NEXT_SHOT)
+    if fired:
+        state = write_state(program, fired, c.state)
+        c.actions, c.state = table_actions(program, fired, c), state
+        forget(c)
 
 
 def _next_shot(
-    program: Program, c: Watch, log: Any
+    program: Program, c: Watch, log: Log | None
 ) -> tuple[InHand | None, tuple[Offer, ...], set[str]]:
     """Return the ball in hand, the offers, and the names of what was written."""
     fired = ask(program, c, NEXT_SHOT, log)
+    if not fired:
+        return None, (), set()
     in_hand, offers = decide_in_hand(fired), offers_of(fired)
     before = c.state
-    c.state = write_state(program, fired, c.state)
-    written = _written(fired, before, c.state)
-    enter(program, c, ENDING)
-    return in_hand, offers, written
+    _write(program, c, fired)
+    return in_hand, offers, _written(fired, before, c.state)
 
 
 def _written(fired: Fired, before: Mapping[str, Tracked], after: Mapping[str, Tracked]) -> set[str]:
-    if not fired:
-        return set()
     changed = {name for name in after if after[name] != before.get(name)}
     return changed | {d[2] for _, made in fired for d in made if d[0] == "write"}
 
 
 def _ending(
-    program: Program, situation: Situation, c: Watch, log: Any
+    program: Program, situation: Situation, c: Watch, log: Log | None
 ) -> tuple[tuple[Ending, ...], frozenset[int], tuple[int, ...]]:
     fired = ask(program, c, ENDING, log)
+    if not fired:
+        return (), situation.eliminated, ()
     c.state = write_state(program, fired, c.state)
     ended, eliminated = endings_of(fired, situation)
     if not ended:
         return ended, eliminated, ()
     ended, points = close(program, situation, c, ended)
     return ended, eliminated, points
-
-
-def _keep(views: list[tuple[Any, ...]], c: Watch, log: Any) -> None:
-    """Keep what the next section sees, where an explanation may ask for it."""
-    if log is None:
-        return
-    views.append(
-        (
-            c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
-            c.actions, c.homes,
-        )
-    )  # fmt: skip
 
 
 def _to_play(c: Watch, turn: Turn) -> int:
@@ -195,8 +183,10 @@ def _reset(
     changed: dict[str, Tracked] = {}
     for name, track in program.tracked.items():
         if track.scope == "shot" or (track.scope == "turn" and not turn.continues):
-            value = state.get(name)
             if name in written:
                 continue
-            changed[name] = (track.start,) * len(value) if isinstance(value, tuple) else track.start
+            value = state.get(name)
+            start = (track.start,) * len(value) if isinstance(value, tuple) else track.start
+            if start != value:
+                changed[name] = start
     return {**state, **changed} if changed else state

@@ -27,7 +27,7 @@ def look(program: Program, situation: Situation) -> Watch:
     c = Watch(program.bits, program.names, program.ball_mask, situation)
     c.values = program.values
     c.mates = program.mates
-    c.memo = fresh(program.memo_size)
+    c.memo, c.passing = fresh(program.lasting), fresh(program.passing)
     return c
 
 

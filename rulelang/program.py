@@ -146,10 +146,11 @@ class Program:
     names: Mapping[int, str] = field(repr=False, default_factory=dict)
     values: Mapping[int, int] = field(repr=False, default_factory=dict)
     ball_mask: int = 0
-    memo_size: int = 0
+    lasting: int = 0
+    passing: int = 0
+    """How many defines are remembered for a shot, and how many for a section."""
     asks: frozenset[str] = frozenset()
     """The lines and zones whose crossing, entering or leaving some rule asks about."""
-    staged: tuple[int, ...] = ()
     homes: tuple[tuple[Run, str], ...] = field(repr=False, default=())
     spotting: str = ""
     spotting_sets: tuple[Run, ...] = field(repr=False, default=())

@@ -53,8 +53,8 @@ class Scope:
     sources: dict[str, str] = field(default_factory=dict)
     scripts: list[s.Script] = field(default_factory=list)
     owners: dict[str, s.Script] = field(default_factory=dict)
-    memo_size: int = 0
-    staged: list[int] = field(default_factory=list)
+    lasting: int = 0
+    passing: int = 0
     asks: set[str] = field(default_factory=set)
     probe: Probe | None = None
 

@@ -22,7 +22,7 @@ from rulelang.account import (
 from rulelang.signs import FOUL, LEGAL, PLACED
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from rulelang.decisions import TableAction
     from rulelang.facts import Call, Shot, Situation
@@ -75,6 +75,7 @@ class Watch:
         "objects",
         "on_after",
         "on_before",
+        "passing",
         "phase",
         "player",
         "players",
@@ -120,6 +121,7 @@ class Watch:
         self.winner = situation.winner
         self.mates = 0
         self.memo: list[Any] = []
+        self.passing: list[Any] = []
         self.shot: Shot | None = None
         self.call: Call | None = None
         self.cue = 0
@@ -216,11 +218,13 @@ def stayed_together(watch: Watch, balls: int, zones: tuple[str, ...]) -> int:
     return 0
 
 
-def touching(watch: Watch, balls: int, *, start: bool) -> int:
-    """Return the mask of balls frozen to any of `balls`, at the start or at rest."""
+def touching(watch: Watch, whom: Callable[[Watch], int], *, start: bool) -> int:
+    """Return the mask of balls frozen to any of some others, at the start or at rest."""
     shot = watch.shot
     pairs = watch.situation.frozen if start or shot is None else shot.rest.frozen
-    mask = 0
+    if not pairs:
+        return 0
+    mask, balls = 0, whom(watch)
     for a, b in pairs:
         if b.startswith("cushion "):
             continue

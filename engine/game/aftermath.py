@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from rulelang.account import Account
 
 NOBODY: frozenset[BallId] = frozenset()
+NOTHING_KNOWN = Rest()
+OF_PLACES = 1 << ENTERED | 1 << LEFT_ZONE | 1 << FELL | 1 << LEANED
+"""What tells of places where none are known."""
 
 
 def balls_in(variant: Variant, mask: int) -> frozenset[BallId]:
@@ -38,6 +41,8 @@ def rest_after(
 ) -> Rest:
     """Return what is known of the balls at rest after the shot, `down` being off the bed."""
     was, told = before.rest, shot.after
+    if was == told == NOTHING_KNOWN and not account.happened & OF_PLACES:
+        return was
     stirred = down
     if was.positions or was.frozen or was.covered:
         stirred = down | balls_in(variant, account.named)

@@ -54,19 +54,22 @@ class Later(Mapping[K, V]):
 class ZonesAt(AbstractSet[ZoneId]):
     """The zones of a table that hold a point (m)."""
 
-    __slots__ = ("_point", "_table")
+    __slots__ = ("_known", "_point", "_table")
 
     def __init__(self, table: Table, point: Point) -> None:
         self._table = table
         self._point = point
+        self._known: dict[object, bool] = {}
 
     @classmethod
     def _from_iterable(cls, found: Iterator[ZoneId]) -> frozenset[ZoneId]:  # type: ignore[override]
         return frozenset(found)
 
     def __contains__(self, zone: object) -> bool:
-        area = self._table.zones.get(zone)  # type: ignore[call-overload]
-        return area is not None and contains(area, self._point, self._table)
+        if zone not in self._known:
+            area = self._table.zones.get(zone)  # type: ignore[call-overload]
+            self._known[zone] = area is not None and contains(area, self._point, self._table)
+        return self._known[zone]
 
     def __iter__(self) -> Iterator[ZoneId]:
         return (zone for zone in self._table.zones if zone in self)

@@ -124,7 +124,28 @@ def _forget(situation: Situation) -> Situation:
     """
     if not situation.offers and situation.judged is None:
         return situation
-    return replace(situation, offers=(), judged=None)
+    return Situation(
+        situation.players,
+        situation.shooter,
+        situation.phase,
+        situation.scores,
+        situation.on_table,
+        situation.state,
+        situation.settings,
+        situation.rest,
+        situation.in_hand,
+        (),
+        situation.breaker,
+        situation.eliminated,
+        situation.seed,
+        situation.shots,
+        situation.games,
+        situation.won_last,
+        situation.winner,
+        situation.match_over,
+        None,
+        situation.strikable,
+    )
 
 
 def _follow(
