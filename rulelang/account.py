@@ -78,6 +78,7 @@ def account_of(
     """
     x = Account(bits, bits[struck], frozen, delay)
     hits, cushions, cue, struck_ones, cushioned = x.ev[HIT], x.ev[CUSHION], x.cue, 0, 0
+    event: Any
     for number, event in enumerate(events):
         kind = type(event)
         if kind is e.BallsHit:

@@ -13,7 +13,7 @@ from rulelang import code as k
 from rulelang import events_told as t
 from rulelang import syntax as s
 from rulelang.code import Code, Mistake
-from rulelang.signs import CUE, PLACED, Signs, exactly, of_all, opposite
+from rulelang.signs import CUE, PLACED, Signs, exactly, of_all
 from rulelang.watch import BEGIN, END, lie_in, stayed_together, touching
 
 if TYPE_CHECKING:
