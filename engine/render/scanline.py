@@ -43,14 +43,18 @@ class Scanline:
     """The renderer with a depth for every pixel.
 
     `threads` bands of the picture are drawn at the same time; `flat` gives every face one
-    colour, which is what the painter's algorithm is measured against.
+    colour, which is what the painter's algorithm is measured against. Without `keeps` nothing is
+    kept while the camera rests, without `surfaces` each face is filled by itself.
     """
 
-    def __init__(self, threads: int = 2, *, flat: bool = False, keeps: bool = True) -> None:
+    def __init__(
+        self, threads: int = 2, *, flat: bool = False, keeps: bool = True, surfaces: bool = True
+    ) -> None:
         self._bands = Bands(threads)
         self._packer = Packer()
         self._canvas = Canvas()
         self._flat = flat
+        self._by_surface = surfaces and not flat
         self._units = UnitSpheres()
         self._kept = Kept(on=keeps)
         self._strokes, self._still_strokes = Strokes(), Strokes()
@@ -119,7 +123,7 @@ class Scanline:
                 frame.view,
                 frame.lamps,
                 scene.ambient,
-                None if self._flat else self._groups_of(fixed),
+                self._groups_of(fixed) if self._by_surface else None,
                 lit=self._flat,
             ),
             strokes=strokes,

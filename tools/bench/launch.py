@@ -1,6 +1,6 @@
 """From starting the game to its first picture: the first launch of all, and later ones.
 
-One idea: the real window is opened in a process of its own with its own folder for compiled kernels,
+One idea: the real window is opened in a process with its own folder for compiled kernels,
 empty the first time; beside it a process that imports numpy, numba and pygame and calls one cached
 empty kernel. Invariant: what a launch took is told by the process itself, by the clock that all
 processes share, when its first picture of a table has been brought to the screen.

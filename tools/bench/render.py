@@ -12,7 +12,7 @@ import json
 import os
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -119,7 +119,7 @@ def _launch_rows(name: str) -> Iterator[Row]:
     )
 
 
-def _ask(command: list[str], env: dict[str, str]) -> Iterator[dict[str, list[float]]]:
+def _ask(command: list[str], env: dict[str, str]) -> Iterator[dict[str, Any]]:
     """Yield the JSON lines of a process as they come; raises RuntimeError where it fails."""
     process = subprocess.Popen(
         [sys.executable, *command],
