@@ -17,6 +17,7 @@ from engine.game.situation import Rest, Situation, ball_to_strike
 from engine.game.spotting import Board, carry_out
 from engine.table.furniture import BallId, Places, ZoneId
 from engine.table.marks import away_from, contains
+from rulelang.events import LeftTable, Pocketed, Settled, StrokeOmitted
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -52,7 +53,7 @@ def predicates_of(
         struck = shot.struck or ball_to_strike(variant, before)
         board = carry_out(variant, Board(after, frozenset(after.positions)), done, {}, before)
         first: tuple[BallId, ...] = ()
-        for view in _views(variant, board, struck, zone):
+        for view in _views(variant, board, struck, zone if _off(before, shot, struck) else None):
             hiding = snookering_balls(view, map(BallId, targets))
             if not hiding:
                 return None
@@ -66,6 +67,16 @@ def predicates_of(
         return _nearest(variant, board.rest.positions, targets, zone)
 
     return {"path": path, "snookering-ball": snookering, "nearest": nearest}
+
+
+def _off(before: Situation, shot: Shot, ball: BallId) -> bool:
+    """Return whether the ball is in hand or off the bed, and not merely at an unknown place."""
+    events = shot.events or ()
+    if before.in_hand and any(isinstance(one, StrokeOmitted) for one in events):
+        return True
+    return ball not in before.on_table or any(
+        isinstance(one, Pocketed | Settled | LeftTable) and one.ball == ball for one in events
+    )
 
 
 def _nearest(
