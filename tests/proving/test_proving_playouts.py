@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from engine.game.match import start_match
+from engine.game.match import next_game, start_match
 from engine.game.phrases import format_event, parse_event
 from engine.game.placing import refuse_place
 from engine.game.referee import judge_shot, look_ahead
@@ -14,6 +14,7 @@ from engine.records.read import read_record_text
 from engine.records.record import RecordError
 from engine.records.run import run_record
 from engine.variant.load import load_variant
+from tools.playouts import play
 from tools.playouts.__main__ import main, play_share
 from tools.playouts.places import placement
 from tools.playouts.play import playout
@@ -219,6 +220,42 @@ def test_no_game_lasts_long_where_half_the_shots_score():
     for game in ("cowboy", "straight_pool", "kaisa"):
         tally = play_share(game, 0, 1, 4, 5000)[1]
         assert (tally.keen_ended, tally.findings) == (1, [])
+
+
+EMPTY = (
+    "ending: if score of shooter is fewer than 3 and no object ball is on table:"
+    " opponent wins game\n"
+)
+"""What ends a game in which nobody has scored enough."""
+
+
+def games_of(variant, matches, monkeypatch):
+    """Return how many games each match was made of."""
+    begun = []
+    monkeypatch.setattr(play, "next_game", lambda match: begun.append(match) or next_game(match))
+    found = []
+    for number in range(matches):
+        begun.clear()
+        assert playout(variant, number, 1, 4000).findings == []
+        found.append(1 + len(begun))
+    return found
+
+
+def test_some_matches_are_of_several_games(tmp_path, monkeypatch):
+    found = games_of(tiny(tmp_path, GOOD + EMPTY), 40, monkeypatch)
+    assert found.count(1) > 25
+    assert set(found) == {1, 2, 3}
+
+
+def test_a_script_that_says_when_the_match_ends_is_played_to_it(tmp_path, monkeypatch):
+    race = (
+        "track wins-so-far per match per player\n"
+        "at game end: add 1 to wins-so-far of winner\n"
+        "at game end: if wins-so-far of winner is 4: winner wins match\n"
+    )
+    found = games_of(tiny(tmp_path, GOOD + EMPTY + race), 8, monkeypatch)
+    assert min(found) >= 4
+    assert max(found) <= 7
 
 
 def test_the_command_tells_its_pace_and_a_total(capsys):

@@ -29,8 +29,9 @@ if TYPE_CHECKING:
 EXPLAINED = 0.01
 USUAL = 0.05
 PLACES = 0.2
-"""The share of shots that are explained, of matches by the usual house rules, and of matches in
-which it is told where the balls lie."""
+SEVERAL = 0.1
+"""The share of shots that are explained, of matches by the usual house rules, of matches in which
+it is told where the balls lie, and of matches of two or three games."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +76,7 @@ def playout(variant: Variant, number: int, seed: int, most: int) -> Tally:
     match = start_match(
         variant, rng.randint(fewest, fullest), _settings(variant, rng), rng.randrange(10**6)
     )
+    games = rng.randint(2, 3) if rng.random() < SEVERAL else 1
     tally = Tally(matches=1, keen=int(half))
     while players.shots < most:
         situation = match.situation
@@ -88,7 +90,8 @@ def playout(variant: Variant, number: int, seed: int, most: int) -> Tally:
             break
         match = replace(match, situation=verdict.after)
         if verdict.after.over:
-            if verdict.after.match_over or not _goes_on(variant):
+            games -= 1
+            if verdict.after.match_over or (games <= 0 and not _goes_on(variant)):
                 tally.ended, tally.keen_ended = 1, int(half)
                 break
             match = next_game(match)
