@@ -181,6 +181,27 @@ def robustness() -> str:
     return table()
 
 
+def proofs() -> str:
+    """Return a line for each game: its files, what they cite, and what its records prove."""
+    from engine.proving.coverage import coverage_of  # noqa: PLC0415
+    from engine.proving.games import load_game, records_by_game  # noqa: PLC0415
+    from engine.proving.told import percent  # noqa: PLC0415
+
+    found, _ = records_by_game((), ROOT / "tests" / "golden")
+    rows = [
+        "| game | lines of TOML | lines of rules | sections cited | records | rules | outcomes |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for name, paths in sorted(found.items()):
+        one = coverage_of(load_game(name, paths))
+        rows.append(
+            f"| [{name}](games/{name}.md) | {one.toml_lines} | {one.rule_lines} |"
+            f" {len(one.sections)} | {one.records} | {percent(one.rules_fired, one.rules)} |"
+            f" {percent(one.outcomes_seen, one.outcomes)} |"
+        )
+    return "\n".join(rows) + "\n"
+
+
 MAKERS: Mapping[str, Callable[[], str]] = {
     "variant-codes": variant_codes,
     "record-codes": record_codes,
@@ -193,6 +214,7 @@ MAKERS: Mapping[str, Callable[[], str]] = {
     "key-tables": key_tables,
     "actions": actions,
     "games": games,
+    "proofs": proofs,
     "validation": validation,
     "robustness": robustness,
 }
