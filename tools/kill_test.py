@@ -31,7 +31,7 @@ from tools.scripted.display import DISPLAYS, VIRTUAL, display
 from tools.scripted.hands import press
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from engine.app.loop import Loop
     from engine.game.match import Match
@@ -258,9 +258,9 @@ def _watch_stages(sight: mmap.mmap, tell: Callable[[str], None]) -> None:
 
     follow = Keeper.follow
 
-    def told(self: Keeper, match: Match) -> None:
+    def told(self: Keeper, match: Match, left: Mapping[str, float]) -> None:
         tell(f"coming {digest(match)}")
-        follow(self, match)
+        follow(self, match, left)
         tell(f"kept {digest(match)}")
 
     for stage, name in (("physics", "simulate_shot"), ("judging", "judge_shot")):

@@ -13,7 +13,6 @@ Exit status 0: no frame over 50 ms outside loading and no growth after the warm-
 from __future__ import annotations
 
 import argparse
-import gc
 import json
 import os
 import subprocess
@@ -57,7 +56,7 @@ class Slow:
 
 @dataclass(slots=True)
 class Watcher:
-    """Looks on while a player plays, until `end` (s) have gone by."""
+    """Looks on while a player plays, until `end` (s) have gone by since all was loaded."""
 
     player: Player
     end: float
@@ -75,9 +74,9 @@ class Watcher:
         now = monotonic() - self._began
         if self._ready:
             self._note(loop, now)
-        elif loop.startup.saying == "" and loop.startup.playable:
-            self._ready = True
-            gc.collect()
+        else:
+            self._ready = loop.startup.saying == "" and loop.startup.playable
+            self._began, now = monotonic(), 0.0
         if now > self.end:
             loop.running = False
             return
@@ -93,7 +92,7 @@ class Watcher:
             keys = " ".join(loop.hands.pressed[:3])
             cause = f"{self._doing} -> {then}; keys: {keys or 'none'}; shot {self.player.strokes}"
             self.slow.append(Slow(now, took, f"{cause}; at work {1000.0 * loop.worked:.0f} ms"))
-        if not self.memory or now - self.memory[-1][0] >= EVERY:
+        if not self.memory or now - self.memory[-1][0] >= min(EVERY, self.end / 50.0):
             self.memory.append((now, resident()))
 
     def _play(self, loop: Loop) -> Iterator[None]:
@@ -198,7 +197,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             words += ["--seed", str(asked.seed), "--rate", str(asked.rate), "--size", asked.size]
             words += ["--work"] if asked.work else []
             command = [sys.executable, "-m", "tools.long_play", *words]
-            done = subprocess.run(command, env=env, check=True, capture_output=True, text=True)
+            done = subprocess.run(command, env=env, check=True, stdout=subprocess.PIPE, text=True)
             all_found.append(Findings(**json.loads(done.stdout.splitlines()[-1])))
             if not asked.json:
                 print(told(all_found[-1]), flush=True)

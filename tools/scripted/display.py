@@ -24,7 +24,7 @@ def display(kind: str, size: tuple[int, int]) -> Iterator[dict[str, str]]:
 
     Raises FileNotFoundError where a virtual display is wanted and Xvfb is not installed.
     """
-    env = {**os.environ, "SDL_AUDIODRIVER": "dummy"}
+    env = {**os.environ, "SDL_AUDIODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "hide"}
     if kind == HEADLESS:
         yield {**env, "SDL_VIDEODRIVER": "dummy"}
     elif kind == OWN:
