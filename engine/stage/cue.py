@@ -26,6 +26,7 @@ SECTIONS: tuple[tuple[float, float, float, float, Rgb], ...] = (
     (1.380, 1.450, 0.0145, 0.0148, (24, 24, 26)),
 )
 """From and to along the stick, radius there (m), colour."""
+LENGTH = SECTIONS[-1][1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,14 @@ class CuePose:
     side: float = 0.0
     follow: float = 0.0
     gap: float = 0.02
+
+
+def radius_at(along: float) -> float:
+    """Return the radius (m) of the cue so far from its tip, that of its ends beyond them."""
+    for near, far, r0, r1, _ in SECTIONS:
+        if along <= far:
+            return r0 + (r1 - r0) * max(along - near, 0.0) / (far - near)
+    return SECTIONS[-1][3]
 
 
 def cue_meshes() -> tuple[Mesh, ...]:

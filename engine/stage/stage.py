@@ -16,6 +16,7 @@ from engine.scene.shape import Disc, Mesh, Polyline, Sphere
 from engine.stage import marks
 from engine.stage.bed import build_bed, build_pocket
 from engine.stage.bodies import build_hole_rims, build_posts
+from engine.stage.clearance import borders_of, raise_cue
 from engine.stage.cue import CuePose, cue_meshes, place_cue
 from engine.stage.cushions import build_cushions
 from engine.stage.dimensions import measure
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from engine.physics.world import Ball
     from engine.scene.camera import Camera, Vector
     from engine.scene.shape import Rgb
+    from engine.stage.clearance import Borders
     from engine.stage.dimensions import Frame
     from engine.table.furniture import BallId, PinId, Table
     from engine.table.pin import Stance
@@ -57,6 +59,7 @@ class Stage:
     lamps: tuple[Light, ...]
     spots: tuple[Disc, ...]
     pins: Skittles
+    borders: Borders
 
     def scene(
         self,
@@ -74,6 +77,7 @@ class Stage:
         `orientations` are (3, 3) from each ball's own frame to the world's; a ball without one
         shows its label. `aids` are lines and tints on the cloth, `discs` further flat marks.
         `pins` are those on the table, standing or lying; all stand where nothing is said.
+        The `cue` is drawn no lower than it clears the cushion and the wood behind its ball.
         """
         turned = orientations or {}
         rest = _REST
@@ -89,7 +93,7 @@ class Stage:
         shown = self.pins.upright if pins is None else pins
         objects += self.pins.objects(shown, camera.eye)
         if cue is not None:
-            objects.append(place_cue(self.cue, cue))
+            objects.append(place_cue(self.cue, raise_cue(self.borders, cue)))
         return Scene(
             objects=tuple(objects),
             lights=self.lamps,
@@ -157,6 +161,7 @@ def stage_of(
         lamps=_lamps(table),
         spots=marks.build_spots(table, CHALK),
         pins=build_skittles(table, pins),
+        borders=borders_of(table),
     )
 
 
