@@ -6,6 +6,8 @@ commands that move no ball never load the physics.
 
 from __future__ import annotations
 
+import atexit
+import gc
 import json
 import sys
 from pathlib import Path
@@ -34,6 +36,7 @@ def main() -> None:
 
     A game is named as `list` names it, or by the path of its TOML file.
     """
+    atexit.register(gc.freeze)  # a process that ends need not look for garbage once more
 
 
 @main.command()
@@ -106,8 +109,6 @@ def check(variants: Sequence[str], *, as_json: bool) -> None:
     Without a name, all games at hand are checked. Exit status 0: no mistake, 1: mistakes,
     2: a variant cannot be found.
     """
-    import gc  # noqa: PLC0415
-
     gc.set_threshold(100_000)  # short work: looking for garbage costs more than it frees
     from engine.variant.library import VariantError, resolve  # noqa: PLC0415
     from engine.variant.load import check_variant, list_variants  # noqa: PLC0415
