@@ -6,7 +6,6 @@ by its members. Invariant: a condition's closure returns a bool.
 
 from __future__ import annotations
 
-import operator
 from typing import TYPE_CHECKING, Any
 
 from rulelang import code as k
@@ -24,11 +23,28 @@ if TYPE_CHECKING:
     from rulelang.expressions import Expressions
     from rulelang.watch import Watch
 
-_COMPARISONS: dict[str, Callable[[int, int], bool]] = {
-    "at least": operator.ge,
-    "at most": operator.le,
-    "more than": operator.gt,
-    "fewer than": operator.lt,
+
+def _at_least(a: k.Run, b: k.Run, number: int | None) -> k.Run:
+    return (lambda c: a(c) >= b(c)) if number is None else (lambda c: a(c) >= number)
+
+
+def _at_most(a: k.Run, b: k.Run, number: int | None) -> k.Run:
+    return (lambda c: a(c) <= b(c)) if number is None else (lambda c: a(c) <= number)
+
+
+def _more(a: k.Run, b: k.Run, number: int | None) -> k.Run:
+    return (lambda c: a(c) > b(c)) if number is None else (lambda c: a(c) > number)
+
+
+def _fewer(a: k.Run, b: k.Run, number: int | None) -> k.Run:
+    return (lambda c: a(c) < b(c)) if number is None else (lambda c: a(c) < number)
+
+
+_COMPARISONS: dict[str, Callable[[k.Run, k.Run, int | None], k.Run]] = {
+    "at least": _at_least,
+    "at most": _at_most,
+    "more than": _more,
+    "fewer than": _fewer,
 }
 
 
@@ -190,9 +206,14 @@ class Conditions:
                 mend = nearest(name.name, self.x.scope.fouls) or "no rule finds this foul"
                 raise Mistake("R201", name.at, f'"{name.name}" is not a foul', mend)
             wanted.add(name.name)
-        found = Code(k.FLAG, lambda c: any(f.name in wanted for f in c.fouls), word="fouls")
-        found.signs = Signs(FOUL)
-        return joined(found, left)
+
+        def run(c: Watch) -> bool:
+            for foul in c.fouls:  # noqa: SIM110 - a generator costs more than all of this
+                if foul.name in wanted:
+                    return True
+            return False
+
+        return joined(Code(k.FLAG, run, word="fouls", signs=Signs(FOUL)), left)
 
     def _number_is(self, test: s.Test, left: Code, subject: s.Expr) -> Code:
         if left.kind != k.NUMBER:
@@ -204,8 +225,8 @@ class Conditions:
             )
         assert test.value is not None  # noqa: S101
         right = self.x.want(test.value, k.NUMBER)
-        a, b, op = left.run, right.run, _COMPARISONS[test.word]
-        made = Code(k.FLAG, lambda c: op(a(c), b(c)), shown=left, beside=right)
+        run = _COMPARISONS[test.word](left.run, right.run, right.constant)
+        made = Code(k.FLAG, run, shown=left, beside=right)
         return joined(made, left, right)
 
     def _balls_are(self, node: s.Is, left: Code) -> Code:

@@ -85,7 +85,10 @@ def cases(x: Expressions, node: s.Define) -> Code:
     made.staged = staged
     made.since = max(part.since for part in parts)
     made.fouls = any(part.fouls for part in parts)
-    if kind == k.BALLS:
+    if made.signs.exact:
+        bit = made.signs.exact
+        made.truth = lambda c: c.facts & bit != 0
+    elif kind == k.BALLS:
         run = made.run
         made.truth = lambda c: run(c) != 0
     return made

@@ -129,6 +129,9 @@ def on_balls(verb: int, balls: Callable[[Watch], int], *, whole: bool) -> Tellin
         if not c.seen[verb] & who:
             return 0
         target = balls(c)
+        if verb == w.HIT and who == c.cue:
+            met = (b for number, b in c.cue_hits if lo < number < hi)
+            return who if any(b & target for b in met) else 0
         mask = 0
         for number, a, b in c.ev[verb]:
             if b & target and a & who and lo < number < hi:

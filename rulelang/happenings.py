@@ -57,10 +57,6 @@ class Happenings:
     def _told(self, telling: Telling, base: Code, how: str, number: int) -> Code:
         subject, select, find, count = base.run, telling.select, telling.find, t.fits_set
 
-        def chosen(c: Watch, lo: int, hi: int) -> int:
-            who: int = select(c, subject(c) if how != "only" else -1, lo, hi)
-            return who
-
         def within(c: Watch, lo: int, hi: int) -> bool:
             who = subject(c)
             hit = select(c, who, lo, hi)
@@ -77,7 +73,10 @@ class Happenings:
         def witness(c: Watch, lo: int, hi: int) -> list[int]:
             return find(c, subject(c), lo, hi)
 
-        made = Code(k.BALLS, lambda c: chosen(c, BEGIN, END))
+        if how == "only":
+            made = Code(k.BALLS, lambda c: select(c, -1, BEGIN, END))
+        else:
+            made = Code(k.BALLS, lambda c: select(c, subject(c), BEGIN, END))
         made.within, made.anchor, made.witness = within, anchor, witness
         if telling.verb >= 0 and (how in ("any", "only") or (how == "at least" and number > 0)):
             made.signs = self._signs(telling, base, exact=how == "any")

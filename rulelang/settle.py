@@ -23,7 +23,7 @@ from rulelang.decisions import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
     from rulelang.program import CompiledRule, Program
     from rulelang.vocabulary import Tracked
@@ -52,11 +52,8 @@ class Turn:
     player: int | None
 
 
-def _each(fired: Fired, tag: str) -> Iterable[tuple[CompiledRule, tuple[Any, ...]]]:
-    for rule, made in fired:
-        for decision in made:
-            if decision[0] == tag:
-                yield rule, decision
+def _each(fired: Fired, tag: str) -> list[tuple[CompiledRule, tuple[Any, ...]]]:
+    return [(rule, one) for rule, made in fired for one in made if one[0] == tag]
 
 
 def _single(fired: Fired, tag: str, what: str) -> tuple[Any, ...] | None:
@@ -121,11 +118,12 @@ def write_state(
     program: Program, fired: Fired, state: Mapping[str, Tracked]
 ) -> Mapping[str, Tracked]:
     """Return the tracked values after the writes of a section."""
-    if not fired:
+    writes = _each(fired, "write")
+    if not writes:
         return state
     adds: dict[tuple[str, int | None], tuple[int, CompiledRule]] = {}
     sets: dict[tuple[str, int | None], tuple[Any, CompiledRule]] = {}
-    for rule, (_, op, name, player, value) in _each(fired, "write"):
+    for rule, (_, op, name, player, value) in writes:
         where = (name, _keeper(program, state, name, player))
         if op == "add":
             adds[where] = (adds.get(where, (0, rule))[0] + value, rule)
@@ -138,8 +136,6 @@ def write_state(
     for where, (_, rule) in adds.items():
         if where in sets:
             raise RuleClash(f"value of {where[0]}", rule, sets[where][1])
-    if not adds and not sets:
-        return state
     return _written(program, state, adds, sets)
 
 
@@ -159,12 +155,16 @@ def _written(
             old: Any = after[name]
             if player is None:
                 after[name] = old + value if adding else value
-            else:
-                row = list(old)
-                mates = program.mates if program.tracked[name].per_side else 0
-                for one in side_of(player, len(row), mates):
-                    row[one - 1] = row[one - 1] + value if adding else value
-                after[name] = tuple(row)
+                continue
+            mates = program.mates if program.tracked[name].per_side else 0
+            if not mates:
+                new = old[player - 1] + value if adding else value
+                after[name] = (*old[: player - 1], new, *old[player:])
+                continue
+            row = list(old)
+            for one in side_of(player, len(row), mates):
+                row[one - 1] = row[one - 1] + value if adding else value
+            after[name] = tuple(row)
     return after
 
 

@@ -211,7 +211,7 @@ class Statements:
 
             return players
         over = self.value(node.over, k.BALLS)
-        if self.depth <= 1 and not self.free:
+        if self.depth <= 1 and not self.free and self.scope.probe is None:
             self.signs = over.signs
         balls = over.run
         body, inner = self._under(node.body)
