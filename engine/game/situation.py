@@ -7,11 +7,12 @@ never guessed. Players count from 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.table.marks import contains
+from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,7 +36,7 @@ def empty() -> Mapping:  # type: ignore[type-arg]
     return MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Rest:
     """What is known of the balls at rest, as far as it is known.
 
@@ -51,7 +52,7 @@ class Rest:
     fallen: frozenset[PinId] = frozenset()
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Judged:
     """The shot that was judged last, as the rules saw it: consequences of a choice ask for it."""
 
@@ -60,7 +61,7 @@ class Judged:
     before: Situation
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Situation:
     """The game before a shot; `seed` is the match's, `shots` how many were judged before.
 

@@ -7,7 +7,7 @@ Invariant: no ball is put where another is known to lie.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from engine.table.furniture import BallId, SpotId
 from engine.table.pin import standing
 from engine.table.room import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
+from frozen import value
 from rulelang.decisions import Place, Remove, Rerack, Restore, SetUp, Spot, TableAction
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ GAP = 1e-4
 """Room (m) left between a ball put near its spot and its neighbour."""
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Board:
     """What lies where while the referee works, and what he has done so far."""
 

@@ -5,8 +5,9 @@ One idea: a verdict is a value made once; the situation that follows is made fro
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from frozen import value
 
 if TYPE_CHECKING:
     from engine.game.situation import Situation
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from rulelang.events import Event
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Spotted:
     """A ball put back: `on` its `spot`, or as near to it as the game allows; no spot: anywhere."""
 
@@ -24,7 +25,7 @@ class Spotted:
     on: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value
 class Verdict:
     """The referee's words on one shot.
 
