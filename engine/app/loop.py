@@ -14,20 +14,17 @@ from typing import TYPE_CHECKING
 import pygame
 
 from engine.app import commands
-from engine.app.arranging import LayoutError
+from engine.app.answers import answer
 from engine.app.controls import Controls
 from engine.app.exporting import Exporter
 from engine.app.glide import Glide
 from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
-from engine.app.judging import why_not
 from engine.app.keeping import shown_path
 from engine.app.labels import shown_variant
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
-from engine.app.panel import ClothPanel, facts_panel
 from engine.app.pen import Pen
-from engine.app.practising import lay
 from engine.app.screen import Screen
 from engine.app.session import SHOWING, Mode
 from engine.app.speaker import Speaker
@@ -55,9 +52,8 @@ if TYPE_CHECKING:
     from engine.app.window import Window
     from engine.app.wishes import Wish
     from engine.scene.camera import Camera
-    from engine.table.furniture import BallId, Point
+    from engine.table.furniture import Point
 
-TEXT_SIZES = (1.0, 1.2, 1.45, 0.85)
 PAGE_KEYS = {"up": -1, "down": 1, "page up": -12, "page down": 12}
 
 
@@ -95,6 +91,8 @@ class Loop:
     controls: Controls = field(default_factory=Controls)
     hud: Hud = field(init=False)
     exporter: Exporter = field(init=False)
+    picture_due: bool = False
+    """Whether what is drawn next is to be saved as a picture."""
     _rate_shown: float = 0.0
     _camera: Camera | None = None
     _followed: Point | None = None
@@ -134,13 +132,14 @@ class Loop:
         else:
             self._look_at_files()
             if made := self.exporter.take():
-                self._note(made)
+                self.note(made)
             self._take(events, seconds)
             before = self.session
-            self._set(pass_time(before, seconds, at_table=self.page is None))
+            self.enter(pass_time(before, seconds, at_table=self.page is None))
             self.speaker.follow(before, self.session)
             self._look(seconds)
             self.draw()
+            self._save_picture()
         self.window.show()
         self.frames += 1
 
@@ -191,7 +190,7 @@ class Loop:
             if self.page is Page.MENU and key in ("up", "down"):
                 self.scroll %= len(MENU)
             if self.page is Page.MENU and key in ("return", "enter", "space"):
-                self._answer(Ask(MENU[min(max(self.scroll, 0), len(MENU) - 1)][0]))
+                answer(self, Ask(MENU[min(max(self.scroll, 0), len(MENU) - 1)][0]))
                 return
             if key in ("escape", "f1", "f2", "h", "return", "enter", "space"):
                 self.page = None
@@ -206,20 +205,6 @@ class Loop:
         ):
             if isinstance(wish, Ask):
                 self._do(wish)
-
-    def _open_panel(self, page: Page) -> None:
-        """Open a page on which something can be set, or say why not."""
-        refused = why_not(self.session) if page is Page.FACTS else ""
-        if self.session.mode in SHOWING:
-            refused = "wait until the balls have come to rest"
-        self.page = None if refused else page
-        self.scroll = 0
-        if refused:
-            self._note(refused)
-        elif page is Page.FACTS:
-            self.panel = facts_panel(self.session)
-        else:
-            self.panel = ClothPanel(self.session.variant.world, self.units)
 
     def _hear_panel(self, panel: Panel) -> None:
         """Let the keys set what stands on the page that is open."""
@@ -241,7 +226,7 @@ class Loop:
 
     def _accept(self, panel: Panel) -> None:
         try:
-            self._set(panel.accept(self.session))
+            self.enter(panel.accept(self.session))
         except ScriptTrouble as trouble:
             words = told(trouble, self.session.variant)
             self.session = replace(self.session, trouble=words)
@@ -256,11 +241,11 @@ class Loop:
             self.session = replace(self.session, trouble=str(trouble))
             return
         session = take_up(self.session, variant)
-        self._set(session)
+        self.enter(session)
         if not session.trouble:
-            self._build_stage()
+            self.build_stage()
 
-    def _build_stage(self) -> None:
+    def build_stage(self) -> None:
         """Build anew what is seen of the game, with letters on every ball or without."""
         variant = shown_variant(self.session.variant, letters=self.letters)
         self.showing.stage = build_stage(variant)
@@ -268,21 +253,22 @@ class Loop:
 
     def _do(self, wish: Wish) -> None:
         if isinstance(wish, Ask):
-            self._answer(wish)
+            answer(self, wish)
             return
         before = self.session
-        self._set(act(before, wish))
+        self.enter(act(before, wish))
         if isinstance(wish, commands.Confirm) and self.session.mode is Mode.STRIKING:
             self.scroll = 0
 
-    def _set(self, session: Session) -> None:
+    def enter(self, session: Session) -> None:
+        """Take up another session; what it changed of the match is kept at once."""
         before, self.session = self.session, session
         if session.match is before.match:
             return
         try:
             self.keeper.follow(session.match, session.timing.clock.left)
         except OSError as trouble:
-            self._note(f"the journal cannot be written: {trouble}")
+            self.note(f"the journal cannot be written: {trouble}")
 
     def _leave(self) -> None:
         """Note the time that is left, so that the match can be gone on with."""
@@ -290,94 +276,21 @@ class Loop:
             self.keeper.leave(self.session.timing.clock.left)
         self.syncer.close()
 
-    def _answer(self, ask: Ask) -> None:
-        match ask.action:
-            case "wireframe" | "painter" | "scanline":
-                self.renderer = ask.action
-            case "camera":
-                self.view = self.view.next_camera()
-            case "follow":
-                self.view = self.view.following(self._balls_seen())
-            case "full-screen":
-                self.window.toggle_full_screen()
-            case "letters":
-                self.letters = not self.letters
-                self._build_stage()
-            case "zoom":
-                self.view = self.view.zoomed(ask.amount)
-            case "orbit":
-                self.view = self.view.orbited(ask.amount, 0.0)
-            case "tilt":
-                self.view = self.view.orbited(0.0, ask.amount)
-            case "text":
-                now = TEXT_SIZES.index(self.text) if self.text in TEXT_SIZES else -1
-                self.text = TEXT_SIZES[(now + 1) % len(TEXT_SIZES)]
-            case "sound":
-                self.speaker.muted = not self.speaker.muted
-                self._note("sound off" if self.speaker.muted else "sound on")
-            case "help" | "why" | "rules" | "menu":
-                self.page, self.scroll, self.panel = Page[ask.action.upper()], 0, None
-            case "facts" | "cloth":
-                self._open_panel(Page[ask.action.upper()])
-            case value if value.startswith("value-") and self.panel is not None:
-                self.scroll = int(value.removeprefix("value-"))
-                self.panel = self.panel.stepped(self.scroll, 1)
-            case "picture" | "clip" | "paths":
-                self._export(ask.action)
-            case "save":
-                self.page = None
-                self._note(self.keeper.save_shot(self.session.match))
-            case "keep":
-                self._note(self.keeper.keep_layout(self.session))
-            case "lay":
-                self._lay()
-            case "resume":
-                self.page = None
-            case "games":
-                self.running, self.wants_another = False, True
-            case "quit":
-                self.running = False
-
-    def _balls_seen(self) -> list[BallId]:
-        """Return the balls that can be followed, the one struck left out."""
-        struck = struck_ball(self.session)
-        there = self.session.layout
-        return [
-            kind.id for kind in self.session.variant.balls if kind.id in there and kind.id != struck
-        ]
-
-    def _export(self, kind: str) -> None:
-        """Save what is seen, or begin to make a picture of the last shot."""
-        self.page = None
-        match = self.session.match
-        if kind != "picture":
-            self._note(self.exporter.begin(kind, match))
+    def _save_picture(self) -> None:
+        """Save what was drawn, where that was asked for."""
+        if not self.picture_due:
             return
-        path = self.exporter.path(kind, match)
+        self.picture_due = False
+        path = self.exporter.path("picture", self.session.match)
         try:
             self.window.save(path)
         except OSError as trouble:
-            self._note(f"the picture could not be saved: {trouble}")
+            self.note(f"the picture could not be saved: {trouble}")
         else:
-            self._note(f"saved {shown_path(path)}")
+            self.note(f"saved {shown_path(path)}")
 
-    def _lay(self) -> None:
-        """Lay out the next layout that was kept, or say why not."""
-        if self.session.mode in SHOWING:
-            return
-        try:
-            found = self.keeper.next_layout(self.session)
-        except LayoutError as trouble:
-            self._note(str(trouble))
-            return
-        if found is None:
-            self._note("no layout of this game was kept")
-            return
-        name, situation = found
-        self._set(lay(self.session, situation))
-        self._note(f"laid out: {name}")
-
-    def _note(self, text: str) -> None:
+    def note(self, text: str) -> None:
+        """Say something to the player."""
         self.session = replace(self.session, note=text)
 
     def draw(self) -> None:

@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from engine.app.glide import Glide
-from engine.app.inputs import CloseAsked, KeyPressed, KeyReleased
+from engine.app.inputs import ButtonPressed, CloseAsked, KeyPressed, KeyReleased
 from engine.app.pages import MENU, Page
 from engine.app.play import Sitting, make_loop, newest_journal, play
 from engine.app.session import Mode
@@ -309,3 +309,98 @@ def test_the_newest_journal_is_the_one_to_resume(own_folders):
     for name in ("three_cushion-20200101-000000.toml", "three_cushion-20300101-000000.toml"):
         (folder / name).write_text("", encoding="utf-8")
     assert newest_journal("three_cushion").name == "three_cushion-20300101-000000.toml"
+
+
+def opened(loop, name):
+    press(loop, name)
+    return loop.page
+
+
+def test_what_an_eye_saw_is_set_by_keys_alone(own_folders, start):
+    window = open_window((900, 600), "test")
+    sitting = Sitting(start("snooker").match, own_folders / "journal.toml")
+    startup = Startup("wireframe")
+    startup.begin()
+    made = make_loop(window, sitting, Settings.model_validate({"renderer": "wireframe"}), startup)
+    made.startup.join()
+    assert opened(made, "z") is None
+    assert "no shot" in made.session.note
+    press(made, "return", "space", "f")
+    assert opened(made, "z") is Page.FACTS
+    press(made, "down", "right", "return")
+    assert made.page is None
+    assert made.session.last.shot.facts == {"path": "full"}
+    kept = resume(own_folders / "journal.toml", load_variant)
+    assert kept.played[-1].shot.facts == {"path": "full"}
+    assert len(kept.played) == 1
+    close_window()
+
+
+def test_the_cloth_is_looked_at_and_changed_by_keys_alone(loop):
+    world = loop.session.variant.world
+    assert opened(loop, "f10") is Page.CLOTH
+    press(loop, "down", "right", "escape")
+    assert loop.session.variant.world is world
+    press(loop, "f10", "down", "right", "right", "return")
+    assert loop.session.variant.world.cloth.rolling > world.cloth.rolling
+    assert "practice" in loop.session.note
+    assert loop.page is None
+
+
+def test_a_row_is_changed_by_a_click(loop):
+    press(loop, "f10")
+    left, top, wide, high = loop.hud.hot["ask:value-1"]
+    before = loop.panel.rows
+    loop.frame([ButtonPressed(1, (left + wide // 2, top + high // 2))], 0.0)
+    assert loop.panel.rows[1] != before[1]
+    assert loop.scroll == 1
+
+
+def test_pictures_are_saved_without_the_menu_on_them(loop, own_folders):
+    loop.frame([], 0.0)
+    plain = picture(loop)
+    press(loop, "escape", *["down"] * [name for name, _ in MENU].index("picture"), "return")
+    loop.frame([], 0.0)
+    (path,) = (own_folders / "data" / "headstring" / "pictures").glob("*-picture.png")
+    saved = pygame.surfarray.array3d(pygame.image.load(path))
+    box = loop.hud.picture_box()
+    inside = np.s_[box[0] : box[0] + box[2], box[1] : box[1] + box[3]]
+    assert np.array_equal(saved[inside], plain[inside])
+    assert loop.session.note.startswith("saved ")
+
+
+def test_a_clip_is_made_while_the_game_goes_on(loop, monkeypatch):
+    monkeypatch.setattr("engine.app.clip.RATE", 4)
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space", "f", "f8")
+    assert "being made" in loop.session.note
+    loop.exporter.join()
+    loop.frame([], 0.0)
+    assert loop.session.note.startswith("saved ")
+
+
+def test_letters_come_and_go_on_every_ball(loop):
+    press(loop, "3")
+    loop.frame([], 0.0)
+    plain = picture(loop)
+    press(loop, "f4")
+    assert loop.letters
+    assert (picture(loop) != plain).any()
+    press(loop, "f4")
+    assert np.array_equal(picture(loop), plain)
+
+
+def test_space_halts_what_is_shown_and_the_brackets_change_its_pace(loop):
+    if loop.session.mode is Mode.PLACING:
+        press(loop, "return")
+    press(loop, "space")
+    loop.frame([], 0.6)
+    press(loop, "space")
+    clock = loop.session.clock
+    loop.frame([], 0.5)
+    assert loop.session.clock == clock
+    press(loop, "'")
+    assert loop.session.clock > clock
+    press(loop, "[", "space")
+    assert loop.session.pace == 0.5

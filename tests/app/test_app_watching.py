@@ -68,7 +68,7 @@ def played(loop):
     while session.mode is not Mode.AIMING:
         session = act(session, commands.Confirm())
     session = act(act(session, commands.Confirm()), commands.Skip())
-    loop._set(session)
+    loop.enter(session)
     assert len(loop.session.match.played) == 1
 
 
@@ -110,11 +110,11 @@ def test_a_file_is_not_taken_up_while_balls_roll(loop, own_game):
     session = loop.session
     while session.mode is not Mode.AIMING:
         session = act(session, commands.Confirm())
-    loop._set(act(session, commands.Confirm()))
+    loop.enter(act(session, commands.Confirm()))
     save(own_game, 'title = "', 'title = "New ')
     loop.frame([], 0.0)
     assert not loop.session.variant.title.startswith("New ")
-    loop._set(act(loop.session, commands.Skip()))
+    loop.enter(act(loop.session, commands.Skip()))
     loop.frame([], 0.0)
     assert loop.session.variant.title.startswith("New ")
 
