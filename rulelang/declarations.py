@@ -15,6 +15,7 @@ from rulelang import syntax as s
 from rulelang.code import Mistake
 from rulelang.program import FactDecl, Track
 from rulelang.scope import Scope
+from rulelang.surface import LONGEST
 from rulelang.timers import declare_timer
 
 if TYPE_CHECKING:
@@ -208,10 +209,15 @@ class Declarations:
 
     def _unread(self, script: s.Script) -> None:
         """Poison the names whose declarations could not be parsed."""
+        if len(script.source) > LONGEST:
+            return
+        heads: dict[str, str] = {}
         for word, rest in re.findall(
             r"^([a-z]+) +([a-z0-9][a-z0-9 ,-]*)", script.source, re.MULTILINE
         ):
-            head = word if word in _HEADS else (get_close_matches(word, _HEADS, 1, 0.7) or [""])[0]
+            if word not in heads:
+                heads[word] = next(iter(get_close_matches(word, _HEADS, 1, 0.7)), "")
+            head = heads[word]
             names = re.findall(r"[a-z0-9-]+", rest)
             if head == "phases":
                 self.scope.phases = tuple(names)
