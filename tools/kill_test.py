@@ -79,6 +79,8 @@ def run_moments(game: str, moments: int, seed: int, folder: Path) -> Tally:
         tally.moments += 1
         tally.stages[told.stage] += 1
         known = _judge(tally, journal, told, known)
+        if tally.moments % 20 == 0:
+            print(f"{tally.moments} of {moments} moments", file=sys.stderr, flush=True)
         if told.over:
             tally.matches += 1
             journal, known = folder / f"{game}-{tally.matches}.toml", ""

@@ -108,6 +108,7 @@ def _draw_tip(pen: Pen, session: Session, middle: tuple[int, int], radius: int) 
     """Draw the ball as the player sees it, the limit of the tip, and the tip."""
     surface, stroke = pen.surface, session.stroke
     pygame.draw.circle(surface, CHALK, middle, radius)
+    pygame.draw.circle(surface, pen.tint(EDGE), middle, radius, 1)
     limit = round(radius * session.tip_limit)
     pygame.draw.circle(surface, (190, 186, 170), middle, limit, 1)
     for dx, dy in ((1, 0), (0, 1)):

@@ -16,7 +16,7 @@ import numpy as np
 from engine.game.placing import refuse_place, usual_place, zone_in_hand
 from engine.game.situation import cue_ball_of
 from engine.table.furniture import Area, HalfPlane, Places
-from engine.table.region import obstacles
+from engine.table.region import nose_reach, obstacles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     Points = NDArray[np.float64]
 
 CLEAR = 2e-4
-"""A ball is put down with at least this much room (m) about it."""
+"""A ball is put down with at least this much room (m) to the others."""
 INSIDE = 1e-6
 """How deep (m) in a zone a place lies that needs no further look."""
 STEP = 0.03
@@ -56,7 +56,8 @@ class Placing:
     def nearest(self, wish: Point) -> Point:
         """Return `wish` where it is allowed, else the nearest place known to be free."""
         table = self.variant.world.table
-        half = table.length / 2.0 - self.radius - CLEAR, table.width / 2.0 - self.radius - CLEAR
+        edge = nose_reach(self.radius, table.nose_height) + INSIDE
+        half = table.length / 2.0 - edge, table.width / 2.0 - edge
         wish = (
             round(min(max(wish[0], -half[0]), half[0]), 6),
             round(min(max(wish[1], -half[1]), half[1]), 6),
