@@ -222,7 +222,7 @@ class Declarations:
             if head == "phases":
                 self.scope.phases = tuple(names)
             elif head:
-                self.scope.poisoned.add(names[0])
+                self.scope.poisoned.update((names[0], "-".join(names[:2])))
 
 
 _HEADS = ("define", "track", "fact", "zones", "timer", "phases")

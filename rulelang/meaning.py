@@ -79,7 +79,8 @@ def _overrides(written: list[tuple[s.Script, s.Rule]], scripts: list[s.Script], 
 
 
 def _heads(script: s.Script, name: str) -> bool:
-    return re.search(rf'^ *rule "{re.escape(name)}"', script.source, re.MULTILINE) is not None
+    """Tell whether a line gives a rule that name, be its first word misspelt."""
+    return re.search(rf'^ *[a-z]+ "{re.escape(name)}"', script.source, re.MULTILINE) is not None
 
 
 def _circles(written: list[tuple[s.Script, s.Rule]], tell: Tell) -> None:

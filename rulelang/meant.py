@@ -62,6 +62,33 @@ _PHRASES: tuple[tuple[str, str, str, str], ...] = (
      "say `score of {w}`"),
     (r"(?<!\bis )(?<!\bare )(?<!\bnot )(?P<x>\b(?:at least|at most|more than|fewer than))\b",
      "R101", "a comparison has `is` or `are`", "say `is {x}`"),
+    (r"^at (?P<x>(?:the )?(?P<e>start|end) of (?:the )?(?P<u>game|match|rack|frame))\b", "R101",
+     "the moment is told the other way round", "say `at {u} {e}:`"),
+    (r"(?P<x>\bgoto) \S*", "R101", "`{x}` is two words", "say `go to phase ...`"),
+    (r"\bgo to (?P<x>(?!phase\b)(?P<n>[a-z][a-z0-9-]*))", "R101", "a word is missing",
+     "say `go to phase {n}`"),
+    (r"\bin hand (?P<x>behind|above|below|beyond|from|on|at)\b", "R101", "`{x}` does not fit here",
+     "say `in hand in` and the name of a zone"),
+    (r"(?P<x>\b(?P<n>legal|foul) shot)\b", "R101", "a shot is said to be so",
+     "say `shot is {n}`"),
+    (r"^define (?P<n>[a-z][a-z0-9-]*) (?P<x>if)\b", "R101", "`if` does not fit here",
+     "say `define {n} when`"),
+    (r"^define (?P<n>[a-z][a-z0-9-]*)(?P<x>:) \S", "R101", "a word is missing after the name",
+     "say `define {n} when` for a condition, `as` for anything else"),
+    (r"\b(?:award|deduct|add|worth) \S+ (?P<x>points?)\b", "R101", "`{x}` is not said",
+     "leave it out"),
+    (r"\bspot (?:\S+ ){1,2}(?P<x>on (?P<n>(?!table)[a-z][a-z0-9-]*))", "R101",
+     "a ball is spotted `at` a spot", "say `at {n}`"),
+    (r"(?P<x>\bor) (?:at|near|highest|where|later)\b", "R101",
+     "places are tried one after the other", "say `else` for `or`"),
+    (rf"\bset (?P<n>\S+) to (?P<v>\S+) (?P<x>(?:for|of) (?P<w>{_WHO}))\b", "R101",
+     "the player stands beside the name", "say `set {n} of {w} to {v}`"),
+    (r"\b(?:is|are) (?P<x>(?P<n>\d+) or more)\b", "R101", "a comparison comes before its number",
+     "say `is at least {n}`"),
+    (r"\b(?:is|are) (?P<x>(?P<n>\d+) or (?:less|fewer))\b", "R101",
+     "a comparison comes before its number", "say `is at most {n}`"),
+    (r"(?P<x>\bcall) (?:ball|pocket|safety)\b", "R101", "what must be called is required",
+     "say `require`"),
     (r"^(?P<h>uses|game) (?P<x>(?P<n>[^\"]+?))\s*$", "R101", "this stands in quotes",
      'write `{h} "{n}"`'),
     (r"^phases (?:[a-z0-9-]+, )*(?P<a>[a-z0-9-]+) (?P<x>(?P<b>[a-z0-9-]+))", "R101",
@@ -102,7 +129,8 @@ _PHRASES: tuple[tuple[str, str, str, str], ...] = (
     (r"\bin hand (?P<x>anywhere|everywhere)\b", "R101", "`{x}` is no zone",
      "say `in hand in table`, or another zone of the variant"),
     (r"(?P<x>\bplayer (?:\d+|one|two)\b)", "R101", "a player is not called by a number", _PLAYERS),
-    (r"\b(?:to|from|give|of) (?P<x>player)\s*$", "R101", "it is not said which player", _PLAYERS),
+    (r"\b(?:to|from|give|of) (?:the )?(?P<x>player)\s*$", "R101",
+     "it is not said which player", _PLAYERS),
     (r"\baward \S+(?P<x>)\s*$", "R101", "it is not said who gets the points", "add `to shooter`"),
     (r"\bdeduct \S+(?P<x>)\s*$", "R101", "it is not said who loses the points",
      "add `from shooter`"),
@@ -169,6 +197,9 @@ def meant_by_sign(row: str, column: int) -> Meant:
     at = column - 1
     sign = row[at : at + 1]
     for signs in (row[at : at + 2], sign):
+        if signs == "=" and (word := re.search(r"\b(set|define)\b[^=:]*$", row[:at])):
+            mend = "say `to`" if word[1] == "set" else "say `as`, or `when` for a condition"
+            return Meant("R106", column, 1, "`=` has no meaning here", mend)
         if signs in _SIGNS:
             return Meant(
                 "R106", column, len(signs), f"`{signs}` has no meaning here", _SIGNS[signs]

@@ -254,7 +254,10 @@ _MENDS = (
     ("Unescaped", "write `\\\\` for a backslash, or use single quotes"),
     ("Invalid escape", "write `\\\\` for a backslash, or use single quotes"),
     ("Expected '='", "write `key = value`; a name with dots or spaces stands in quotes"),
-    ("Invalid value", "a text stands in quotes; true and false are written small"),
+    (
+        "Invalid value",
+        "a text stands in quotes, a number in digits; true and false are written small",
+    ),
     ("Illegal character", "a text on one line ends with the quote it began with"),
     ("Unclosed array", "close the array with `]`"),
     ("the text that begins", "a text on one line ends with the quote it began with"),
@@ -291,6 +294,10 @@ def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
         message = "the text that begins here has no closing quote"
     if source.text.split("\n")[line - 1][column - 1 : column] in _CURLY:
         message = "this is no quote of TOML"
+    heading = _HEADING.match(source.text.split("\n")[line - 1])
+    if heading:
+        message, mend = "the heading has no `[`", f"write `[{heading.group(1)}]`"
+        return diagnostic_at("V004", source, line, 1, message, mend)
     unit = _UNIT.match(source.text.split("\n")[line - 1])
     if unit and message.startswith("Expected newline"):
         message, mend = "a number with a unit is a text", f'write "{unit.group(1)}"'
@@ -306,8 +313,10 @@ def _syntax(error: tomllib.TOMLDecodeError, source: Source) -> Diagnostic:
     )
 
 
+_HEADING = re.compile(r"\s*([A-Za-z0-9_.-]+)\]\s*(?:#.*)?$")
 _UNIT = re.compile(r"[^=]*=\s*([0-9][0-9./ ]* ?[a-z°]+)\s*(?:#.*)?$")
 _PLAIN = {
+    "Illegal character '\\n'": "the text has no closing quote",
     "Invalid statement": "this is neither a key nor a heading",
     "Invalid value": "this is no value",
     "Expected '=' after a key in a key/value pair": "`=` is missing after the key",
