@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
 from itertools import combinations
-from math import hypot, sqrt
+from math import hypot
 from typing import TYPE_CHECKING, TypeVar
 
 from engine.game.situation import TOUCHING, Pair, Rest
 from engine.table.furniture import BallId, ZoneId
 from engine.table.marks import contains
-from engine.table.region import distance_to
+from engine.table.region import distance_to, nose_reach
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -156,8 +156,3 @@ def _cushions(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]
 def as_cushion(cushion: CushionId | str) -> str:
     """Return a cushion's name as one half of a contact."""
     return f"cushion {cushion}"
-
-
-def nose_reach(radius: float, nose_height: float) -> float:
-    """Return how far (m) over the bed a ball's centre is from a nose that it touches."""
-    return sqrt(max(radius**2 - (nose_height - radius) ** 2, 0.0))

@@ -11,13 +11,13 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import as_cushion, contacts_of, nose_reach
+from engine.game.contacts import as_cushion, contacts_of
 from engine.game.shot import Shot, as_written
 from engine.game.situation import TOUCHING, Rest, Situation, ball_to_strike, cue_ball_of
 from engine.physics import events as seen
 from engine.physics.simulate import simulate
 from engine.table.marks import Piece, crossings, zone_changes
-from engine.table.region import distance_to
+from engine.table.region import distance_to, nose_reach
 from rulelang import events as told
 
 if TYPE_CHECKING:

@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterator
 from math import hypot
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import nose_reach
 from engine.game.noses import lies_in_a_mouth, noses_of
 from engine.game.sight import View, path_to, snookering_balls
 from engine.game.situation import Rest, Situation, ball_to_strike
 from engine.game.spotting import Board, carry_out
 from engine.table.furniture import BallId, Places, ZoneId
 from engine.table.marks import away_from, contains
+from engine.table.region import nose_reach
 from rulelang.events import LeftTable, Pocketed, Settled, StrokeOmitted
 
 if TYPE_CHECKING:

@@ -9,11 +9,10 @@ from __future__ import annotations
 from math import hypot
 from typing import TYPE_CHECKING
 
-from engine.game.contacts import nose_reach
 from engine.records.compare import WITHIN
 from engine.table.furniture import Opposite, Places
 from engine.table.marks import away_from
-from engine.table.region import distance_to
+from engine.table.region import distance_to, nose_reach
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping

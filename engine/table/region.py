@@ -131,24 +131,42 @@ def on_bed(table: Table, point: Point, slack: float = 0.0) -> bool:
     )
 
 
+def nose_reach(radius: float, nose_height: float) -> float:
+    """Return how far (m) over the bed a ball's centre is from a nose that it touches.
+
+    The nose meets the ball above or below its equator: R cos(theta), of WPBSA and WPA tables one
+    to two millimetres less than R.
+    """
+    return sqrt(max(radius**2 - (nose_height - radius) ** 2, 0.0))
+
+
 def has_room(table: Table, point: Point, radius: float) -> bool:
-    """Tell whether a ball of `radius` (m) can lie at a point, clear of noses and all bodies."""
+    """Tell whether a ball of `radius` (m) can lie at a point, clear of noses and all bodies.
+
+    It may touch them. Over a drop it cannot lie; jaws need no look, they stand behind the noses.
+    """
+    reach = nose_reach(radius, table.nose_height)
     if (
-        abs(point[0]) > table.length / 2 - radius + _SLACK
-        or abs(point[1]) > table.width / 2 - radius + _SLACK
+        abs(point[0]) > table.length / 2 - reach + _SLACK
+        or abs(point[1]) > table.width / 2 - reach + _SLACK
     ):
         return False
     if table.outline and not (
         is_inside(table.outline, point)
-        and all(distance_to(shape, point) >= radius - _SLACK for shape in table.outline)
+        and all(distance_to(shape, point) >= reach - _SLACK for shape in table.outline)
     ):
         return False
-    return all(_away(point, at) >= reach - _SLACK for at, reach in obstacles(table, radius))
+    if any(_away(point, drop.centre) < drop.radius - _SLACK for drop in table.pockets):
+        return False
+    return all(_away(point, at) >= keep - _SLACK for at, keep in obstacles(table, radius))
 
 
 def obstacles(table: Table, radius: float) -> list[tuple[Point, float]]:
     """Return what a ball of `radius` (m) cannot lie on: centres, and how far it keeps away."""
-    posts = [(post.centre, post.radius + radius) for post in posts_of(table)]
+    nosed = nose_reach(radius, table.nose_height)
+    posts = [
+        (post.centre, post.radius + (radius if post.upright else nosed)) for post in posts_of(table)
+    ]
     pins = [(pin.at, meeting(pin.profile, radius)[0]) for pin in table.pins]
     return posts + pins + [(p.centre, p.radius) for p in table.pockets if is_hole(p)]
 
@@ -211,6 +229,7 @@ __all__ = [
     "has_room",
     "is_hole",
     "is_inside",
+    "nose_reach",
     "obstacles",
     "on_arc",
     "on_bed",

@@ -21,6 +21,7 @@ from engine.table.region import (
     ends,
     has_room,
     is_inside,
+    nose_reach,
     on_bed,
     span_at,
     trace,
@@ -266,12 +267,43 @@ def test_on_the_bed_is_within_the_outline_and_not_within_its_box():
 
 def test_room_for_a_ball_is_clear_of_the_inner_corner():
     table = build(*ELL)
-    assert has_room(table, (0.1 - BALL, 0.5), BALL)
-    assert not has_room(table, (0.1 - BALL + 1e-6, 0.5), BALL)
+    reach = nose_reach(BALL, table.nose_height)
+    assert has_room(table, (0.1 - reach, 0.5), BALL)
+    assert not has_room(table, (0.1 - reach + 1e-6, 0.5), BALL)
     assert not has_room(table, (0.6, 0.5), BALL)
-    away = 0.11 - (0.01 + BALL) / 2**0.5
+    away = 0.11 - (0.01 + reach) / 2**0.5
     assert has_room(table, (away, away), BALL)
     assert not has_room(table, (away + 1e-6, away), BALL)
+
+
+def test_a_ball_may_lie_against_a_nose_above_or_below_its_equator():
+    for height in (BALL, 0.036, 0.7 * BALL):
+        table = build_table(2.0, 1.0, height, CUT, SIDE, 0.12)
+        reach = (BALL**2 - (height - BALL) ** 2) ** 0.5
+        for at, off in (((0.3, 0.5 - reach), (0, 1)), ((reach - 1.0, 0.2), (-1, 0))):
+            assert has_room(table, at, BALL)
+            assert not has_room(table, (at[0] + 1e-6 * off[0], at[1] + 1e-6 * off[1]), BALL)
+
+
+def test_a_ball_has_no_room_over_a_drop_between_two_noses():
+    wide = PocketCut(0.1159, radians(142), -0.02, 0.003, 0.08)
+    corner_of = nose_reach(BALL, 0.036)
+    at = 1.0 - corner_of, 0.5 - corner_of
+    assert has_room(build_table(2.0, 1.0, 0.036, CUT, SIDE, 0.12), at, BALL)
+    table = build_table(2.0, 1.0, 0.036, wide, SIDE, 0.12)
+    assert hypot(at[0] - table.pockets[0].centre[0], at[1] - table.pockets[0].centre[1]) < 0.08
+    assert not has_room(table, at, BALL)
+    assert not has_room(table, table.pockets[1].centre, BALL)
+
+
+def test_an_upright_post_keeps_a_ball_off_by_its_whole_radius():
+    plain = build_table(2.0, 1.0, 0.036, None, None, 0.12)
+    for upright, keep in ((True, 0.02 + BALL), (False, 0.02 + nose_reach(BALL, 0.036))):
+        ring = (Curve((0.0, 0.0), 0.02, 0.0, -tau),)
+        post = Cushion(CushionId("post"), ring, upright=upright)
+        table = type(plain)(2.0, 1.0, 0.036, (*plain.cushions, post), (), ())
+        assert has_room(table, (keep, 0.0), BALL)
+        assert not has_room(table, (keep - 1e-6, 0.0), BALL)
 
 
 def test_a_zone_is_left_where_the_outline_is_passed():
@@ -286,7 +318,7 @@ def test_a_spotted_ball_passes_a_post_and_does_not_leave_the_bed():
     post = Cushion(CushionId("post"), (Curve((0.0, 0.0), 0.02, 0.0, -tau),))
     table = type(plain)(2.0, 1.0, 0.036, (*plain.cushions, post), (), ())
     place = nearest_place(table, (0.0, 0.0), (1.0, 0.0), BALL, [])
-    assert place == pytest.approx((0.02 + BALL, 0.0))
+    assert place == pytest.approx((0.02 + nose_reach(BALL, 0.036), 0.0))
     ell = build(*ELL)
     taken = [((-0.1, 0.5), BALL)]
     assert nearest_place(ell, (-0.1, 0.5), (1.0, 0.0), BALL, taken) == pytest.approx(

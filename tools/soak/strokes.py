@@ -210,8 +210,5 @@ def _free(world: World, layout: Layout, name: BallId, at: Point) -> bool:
     for other, (x, y) in layout.items():
         if hypot(at[0] - x, at[1] - y) < _apart(world, name, other):
             return False
-    drops = world.table.pockets
-    if any(hypot(at[0] - p.centre[0], at[1] - p.centre[1]) <= p.radius for p in drops):
-        return False
     pulled = at[0] * (1.0 - 1e-6), at[1] * (1.0 - 1e-6)
-    return has_room(world.table, pulled, _reach(world, name))
+    return has_room(world.table, pulled, _radius(world, name))
