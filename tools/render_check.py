@@ -49,7 +49,7 @@ STANDARD = 1e-4
 WORST = 5e-4
 KINDS = (Wireframe, Painter, Scanline)
 ROUNDING = 1
-CORNERS = 2e-5
+CORNERS = 5e-5
 MESH: tuple[int, int] = (400, 300)
 """Width and height of the pictures in which hits are counted."""
 
@@ -78,7 +78,7 @@ def crumpled(seed: int, size: tuple[int, int] = MESH) -> Doubles:
     columns, rows = int(dice.integers(3, 40)), int(dice.integers(3, 40))
     xs, ys = np.linspace(-2, size[0] + 2, columns), np.linspace(-2, size[1] + 2, rows)
     grid = np.stack(np.meshgrid(xs, ys), axis=-1)
-    shift = 0.32 * np.array([xs[1] - xs[0], ys[1] - ys[0]])
+    shift = 0.18 * np.array([xs[1] - xs[0], ys[1] - ys[0]])
     grid[1:-1, 1:-1] += dice.uniform(-1, 1, grid[1:-1, 1:-1].shape) * shift
     if seed % 4 == 0:
         grid = np.round(grid) + 0.5

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 SAME = 0.0025
 """Depths that differ by less than this share are the same."""
+LIFTED = 0.001
+"""A disc lies on what is no more than this (m) under its plane."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -60,6 +62,7 @@ def mix_row(
     """Mix a disc into a piece of a row; `first` is the ray's way at its first pixel."""
     rise, radius, alpha = disc[2], disc[3], 256.0 * disc[4]
     square, sharp = radius * radius, 1.0 / max(disc[5], 1e-9)
+    slack = SAME + LIFTED / abs(rise)
     for i in range(row.shape[0]):
         t = rise / (first[2] + grow[2] * i)
         x = t * (first[0] + grow[0] * i) - disc[0]
@@ -67,7 +70,7 @@ def mix_row(
         away = x * x + y * y
         if t <= 0.0 or away >= square:
             continue
-        if tested and abs(depths[i] * t - 1.0) > SAME:
+        if tested and abs(depths[i] * t - 1.0) > slack:
             continue
         part = min((radius - np.sqrt(away)) * sharp, 1.0)
         share = alpha * part * part * (3.0 - 2.0 * part)
