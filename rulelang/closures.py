@@ -12,6 +12,8 @@ from rulelang import code as k
 from rulelang.code import Code
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from rulelang.watch import Watch
 
 _UNSET: Any = object()
@@ -42,7 +44,8 @@ def kind_mend(kind: str, made: Code) -> str:
 
 def names_of(watch: Watch, mask: int) -> frozenset[str]:
     """Return the names of the balls in a mask."""
-    return frozenset(watch.names[bit] for bit in singles(mask))
+    names = watch.names
+    return frozenset([names[bit] for bit in singles(mask)])
 
 
 def singles(mask: int) -> list[int]:
@@ -102,6 +105,15 @@ def fresh(size: int) -> list[Any]:
 def forget(c: Watch) -> None:
     """Forget what may change from section to section."""
     c.passing = fresh(len(c.passing))
+
+
+def of_set(base: Code, of: Callable[[int], int]) -> k.Run:
+    """Return a closure for what follows from the balls of a set alone."""
+    run = base.run
+    if base.constant is None:
+        return lambda c: of(run(c))
+    always = of(base.constant)
+    return lambda _c: always
 
 
 def chain(pairs: list[tuple[k.Run | None, k.Run]], default: Any) -> k.Run:

@@ -13,7 +13,7 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.account import POCKETED
 from rulelang.chance import lots
-from rulelang.closures import joined, singles
+from rulelang.closures import joined, of_set, singles
 from rulelang.code import Code, Mistake
 
 if TYPE_CHECKING:
@@ -65,9 +65,9 @@ def total(x: Expressions, node: s.Total) -> Code:
         "highest value": lambda v: max(v, default=0),
         "lowest value": lambda v: min(v, default=0),
     }[what]
-    return joined(
-        Code(k.NUMBER, lambda c: fold([c.values.get(b, 0) for b in singles(balls(c))])), base
-    )
+    values = x.scope.values
+    run = of_set(base, lambda mask: fold([values.get(b, 0) for b in singles(mask)]))
+    return joined(Code(k.NUMBER, run), base)
 
 
 def _pocket_value(balls: k.Run, words: Vocabulary) -> k.Run:

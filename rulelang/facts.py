@@ -87,7 +87,8 @@ class Shot:
     so far, and of the zone that a cue ball off the bed is played from; None where the positions
     are not known. `placed` says in which zones the
     ball in hand was put, None where that is not known. `account` are the events sorted, where
-    the host has already done so.
+    the host has already done so. Where nothing is `located`, no place of a ball is known, and
+    predicates are asked only of balls that were spotted since.
     """
 
     struck: str
@@ -99,3 +100,4 @@ class Shot:
     placed: AbstractSet[str] | None = None
     rest: Rest = Rest()
     account: Account | None = field(default=None, compare=False, repr=False)
+    located: bool = True

@@ -12,7 +12,7 @@ from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.account import HIT, POCKETED
 from rulelang.chance import draw
-from rulelang.closures import derive, joined, leader, opponent, singles
+from rulelang.closures import derive, joined, leader, of_set, opponent, singles
 from rulelang.code import Code
 from rulelang.ends import loser, winner
 from rulelang.events_told import fits_set
@@ -106,17 +106,16 @@ def partner_of(x: Expressions, node: s.PartnerOf) -> Code:
 def extreme(x: Expressions, node: s.Extreme) -> Code:
     """Compile `lowest X`, `highest X`: the balls of lowest or highest value."""
     base = x.want(node.base, k.BALLS)
-    run = base.run
-    pick = min if node.which == "lowest" else max
+    pick, values = min if node.which == "lowest" else max, x.scope.values
 
-    def find(c: Watch) -> int:
-        members = list(singles(run(c)))
+    def find(mask: int) -> int:
+        members = singles(mask)
         if not members:
             return 0
-        best = pick(c.values[b] for b in members)
-        return sum(b for b in members if c.values[b] == best)
+        best = pick([values[b] for b in members])
+        return sum([b for b in members if values[b] == best])
 
-    return joined(Code(k.BALLS, find), base)
+    return joined(Code(k.BALLS, of_set(base, find), signs=of_all([base.signs])), base)
 
 
 def except_(x: Expressions, node: s.Except) -> Code:

@@ -65,7 +65,9 @@ def fact(x: Expressions, name: str, at: s.Span) -> Code:
         if found is None and predicate is not None and shot is not None:
             ask = shot.predicates.get(predicate)
             if ask is not None and asked is not None:
-                found = ask(names_of(c, asked.run(c)), c.actions, zone)
+                balls = asked.run(c)
+                if shot.located or c.actions:
+                    found = ask(names_of(c, balls), c.actions, zone)
         if found is None:
             return default
         return masks.get(str(found), 0) if kind == k.BALLS else found

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from rulelang.account import Account
 
 
+ALONE = 2
+"""So many balls on the table need places that are known; one alone hides nothing."""
+
+
 def as_rules_see(variant: Variant, situation: Situation) -> said.Situation:
     """Return the situation in the language's own terms."""
     rest = situation.rest
@@ -67,6 +71,7 @@ def as_rules_hear(
             Later(lambda: covers(variant, rest)) if known else {},
         ),
         account,
+        bool(before.rest.positions or rest.positions or len(before.on_table) < ALONE),
     )
 
 
