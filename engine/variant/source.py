@@ -336,7 +336,22 @@ def _told_twice(text: str, line: int) -> tuple[str, str]:
     for number, earlier in enumerate(lines[: line - 1], 1):
         if earlier.split("=")[0].split("#")[0].strip() == name:
             return f"`{name}` is given twice", f"keep one of the two; the other is in line {number}"
-    return f"`{name}` is given twice", "keep one of the two"
+    return _told_as_value(lines[: line - 1], name) or (
+        f"`{name}` is given twice",
+        "keep one of the two",
+    )
+
+
+def _told_as_value(lines: list[str], heading: str) -> tuple[str, str] | None:
+    """Return what is wrong with a heading whose table was given as a value before, and a mend."""
+    outer = heading.strip("[]").split(".")[0].strip()
+    for number, earlier in enumerate(lines, 1):
+        key, _, value = earlier.partition("=")
+        if key.strip() == outer and value.strip():
+            message = f"`{outer}` was given as a value in line {number}, and is a table here"
+            part = value.split("#")[0].strip()
+            return message, f"write `[{outer}]` and below it `use = {part[:60]}`"
+    return None
 
 
 def _last_open(lines: list[str]) -> tuple[int, int] | None:
