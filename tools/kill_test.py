@@ -45,7 +45,7 @@ LONGEST = 20.0
 
 @dataclass(slots=True)
 class Tally:
-    """What came of the moments; `lost` tells each that went wrong."""
+    """What came of the moments: `shots` of the longest match, and each moment that was `lost`."""
 
     moments: int = 0
     stages: Counter[str] = field(default_factory=Counter)
@@ -126,7 +126,7 @@ def _judge(tally: Tally, journal: Path, told: Told, known: str) -> str:
         return known
     match = resume(journal, load_variant)
     found = digest(match)
-    tally.shots += len(match.played)
+    tally.shots = max(tally.shots, len(match.played))
     allowed = {one for one in (told.kept or told.first or known, told.coming) if one}
     if allowed and found not in allowed:
         tally.lost.append(f"{where}: the journal holds {found}, not one of {sorted(allowed)}")
@@ -285,9 +285,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         tally = run_moments(asked.game, asked.moments, asked.seed, folder)
     stages = ", ".join(f"{stage} {tally.stages[stage]}" for stage in STAGES)
     print(f"killed at {tally.moments} moments of {asked.game}: {stages}")
-    print(
-        f"{tally.halfway} while a change was not yet told as saved; {tally.matches} matches ended"
-    )
+    print(f"{tally.halfway} while a change was not yet told as saved; {tally.shots} shots at most")
     for one in tally.lost:
         print(f"LOST: {one}")
     print("nothing was lost" if not tally.lost else f"{len(tally.lost)} times something was lost")
