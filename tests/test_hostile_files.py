@@ -14,6 +14,9 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="limits of memory, pipes and devices are Linux's"
+)
 CHILD = Path(__file__).with_name("hostile_child.py")
 VARIANT = 'extends = "nine_ball"\n'
 RECORD = 'format = 1\nvariant = "nine_ball"\ntitle = "x"\n'
