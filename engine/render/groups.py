@@ -34,6 +34,12 @@ class Groups:
     edge_starts: Ints
 
 
+UNGROUPED = Groups(
+    np.zeros(0, np.int32), np.zeros(1, np.int32), np.zeros((0, 2), np.int32), np.zeros(1, np.int32)
+)
+"""No surfaces, for who does not fill them."""
+
+
 def by_face(pack: Pack) -> Groups:
     """Return a surface for every face, without borders: its triangles stand for it."""
     faces = pack.faces

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from engine.render import raster, shading
-from engine.render.groups import Groups, by_face
+from engine.render.groups import UNGROUPED, Groups
 
 if TYPE_CHECKING:
     from engine.render.arrays import Floats, Ints, Pixels
@@ -48,14 +48,11 @@ def place(
     view: View,
     lamps: Floats,
     ambient: float,
-    groups: Groups | None = None,
+    groups: Groups = UNGROUPED,
     *,
     lit: bool,
 ) -> Placed:
-    """Return a pack on the screen; where not `lit`, only tints have their shades.
-
-    Without `groups` every face is one.
-    """
+    """Return a pack on the screen; where not `lit`, only tints have their shades."""
     seen, screen = np.zeros((len(pack.points), 3)), np.zeros((len(pack.points), 3))
     raster.project_points(pack.points, *view.numbers, seen, screen)
     shades = np.zeros(len(pack.face_normals), np.uint32)
@@ -70,4 +67,4 @@ def place(
         ambient,
         shades,
     )
-    return Placed(pack, groups or by_face(pack), seen, screen, shades)
+    return Placed(pack, groups, seen, screen, shades)

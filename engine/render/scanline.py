@@ -15,7 +15,7 @@ import numpy as np
 
 from engine.render import depth_kernels, disc_kernels, sphere_kernels
 from engine.render.bands import Bands
-from engine.render.groups import Groups, by_surface
+from engine.render.groups import Groups, by_face, by_surface
 from engine.render.image import Canvas, Picture, Target
 from engine.render.keep import Kept
 from engine.render.pack import join
@@ -123,7 +123,7 @@ class Scanline:
                 frame.view,
                 frame.lamps,
                 scene.ambient,
-                self._groups_of(fixed) if self._by_surface else None,
+                self._groups_of(fixed) if self._by_surface else by_face(fixed),
                 lit=self._flat,
             ),
             strokes=strokes,
@@ -151,7 +151,7 @@ class Scanline:
             flat=self._flat,
             lamps=lamps,
             ambient=scene.ambient,
-            moving=place(moving, view, lamps, scene.ambient, lit=self._flat),
+            moving=place(moving, view, lamps, scene.ambient, by_face(moving), lit=self._flat),
             spheres=spheres,
             seen=seen,
             boxes=boxes,
