@@ -85,5 +85,10 @@ def _gaps(empty: Any, size: int) -> list[int]:
     """Return how many parts are left open before each part of a rule, and after the last."""
     if not empty:
         return [0] * (size + 1)
-    told = "".join("1" if one else "0" for one in empty)
-    return [len(ones) for ones in told.split("0")]
+    gaps = [0]
+    for one in empty:
+        if one:
+            gaps[-1] += 1
+        else:
+            gaps.append(0)
+    return gaps

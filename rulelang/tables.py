@@ -129,11 +129,11 @@ def _recipe_line(one: Recipe) -> str:
 
 def _recipe_of(line: str) -> Recipe:
     size, name, data, single, absent, picks = line.split(" ")
-    return Recipe(int(size), name, data, single == "1", _picks(picks), int(absent))
+    return Recipe(int(size), name, data, bool(int(single)), _picks(picks), int(absent))
 
 
 def _picks(text: str) -> tuple[tuple[int, bool, int], ...] | None:
     if text == "*":
         return None
     parts = [part.split("/") for part in text.split(",") if part]
-    return tuple((int(n), spread == "1", int(absent)) for n, spread, absent in parts)
+    return tuple((int(n), bool(int(spread)), int(absent)) for n, spread, absent in parts)
