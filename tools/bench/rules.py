@@ -1,7 +1,7 @@
 """How fast scripts are checked and shots are judged.
 
 One idea: the shipped scripts and their golden records are the work; a verdict is timed from parsed
-events to decisions, with the explanation off and on.
+events to the situation of the next shot, with the explanation off and on.
 """
 
 from __future__ import annotations

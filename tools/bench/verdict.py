@@ -3,7 +3,9 @@
 One idea: the strokes are real ones, played once and kept as records, and the script is the longest
 shipped one, lengthened by its own fouls. What is timed is one call: from parsed events to the
 whole verdict, the situation of the next shot included.
-Invariant: a figure with its explanation has made all that an explanation tells, but for the words.
+Invariant: a verdict that is explained has kept all that an explanation is told from, how every rule
+fared, what it decided and what each section saw; the words are found when somebody reads them, and
+have a row of their own.
 """
 
 from __future__ import annotations
@@ -85,28 +87,27 @@ def told_alone(stroke: Stroke) -> Stroke:
 def verdict_rows() -> Iterator[dict[str, object]]:
     """Yield rows on a verdict: of events alone, with balls' places known, and of the rules alone.
 
-    Microseconds of processor time.
+    Microseconds of processor time for a stroke, and how many strokes there are.
     """
     placed = long_strokes()
     told = [told_alone(stroke) for stroke in placed]
-    title = f"{RULES} rules, {{}} events"
-    counts = {len(shot.events or ()) for _, _, shot in placed}
-    name = title.format("/".join(map(str, sorted(counts))))
-    yield _row(f"verdict, {name}", _timed(partial(_judge, told)), GOAL)
-    yield _row(f"verdict explained, {name}", _timed(partial(_explain, told)), GOAL_EXPLAINED)
-    yield _row(f"verdict, places known, {name}", _timed(partial(_judge, placed)))
-    yield _row(f"verdict explained, places known, {name}", _timed(partial(_explain, placed)))
     asked = [_as_asked(stroke) for stroke in told]
-    yield _row(f"the rules alone, {name}", _timed(partial(_ask, asked)))
+    events = "/".join(map(str, sorted({len(shot.events or ()) for _, _, shot in placed})))
+    name = f"{RULES} rules, {events} events"
+    yield _row(f"verdict, {name}", partial(_judge, told), GOAL)
+    yield _row(f"verdict, explained, {name}", partial(_judge, told, explain=True), GOAL_EXPLAINED)
+    yield _row(f"verdict, explained and put in words, {name}", partial(_tell, told))
+    yield _row(f"verdict, places known, {name}", partial(_judge, placed))
+    yield _row(f"the rules alone, {name}", partial(_ask, asked))
 
 
-def _judge(strokes: list[Stroke]) -> int:
+def _judge(strokes: list[Stroke], *, explain: bool = False) -> int:
     for variant, before, shot in strokes:
-        judge_shot(variant, before, shot, explain=False)
+        judge_shot(variant, before, shot, explain=explain)
     return len(strokes)
 
 
-def _explain(strokes: list[Stroke]) -> int:
+def _tell(strokes: list[Stroke]) -> int:
     for variant, before, shot in strokes:
         list(judge_shot(variant, before, shot).explanation)
     return len(strokes)
@@ -136,10 +137,11 @@ def _timed(work: Callable[[], int]) -> list[float]:
     return sorted(times[2:])
 
 
-def _row(name: str, times: list[float], goal: float | None = None) -> dict[str, object]:
+def _row(name: str, work: Callable[[], int], goal: float | None = None) -> dict[str, object]:
+    times = _timed(work)
     return {
         "work": name,
-        "count": 3,
+        "count": work(),
         "median_us": round(times[len(times) // 2], 1),
         "p95_us": round(times[int(len(times) * 0.95)], 1),
         "goal_us": "" if goal is None else goal,
