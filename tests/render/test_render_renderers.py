@@ -139,7 +139,7 @@ def test_a_sphere_covers_its_disc():
         (GameObject((Sphere(0.3, (255, 255, 255)),)),),
         (),
         camera,
-        background=((0, 0, 0), (0, 0, 0)),
+        background=((0.0, (0, 0, 0)),),
     )
     focal = camera.focal(360)
     radius = focal * 0.3 / np.sqrt(4.0 - 0.09)
