@@ -8,7 +8,6 @@ Invariant: events are in order of time; a shot observed twice reads the same.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 from engine.game.contacts import as_cushion, contacts_of
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from engine.table.furniture import BallId, Cushion
     from engine.variant.variant import Variant
 
-SAME_TIME = 1e-9
 STEPS = 32
 
 
@@ -59,7 +57,7 @@ def observe(variant: Variant, situation: Situation, shot: Shot, trace: Trace) ->
     """Return the shot with its events and the balls at rest, as seen in the trace."""
     struck = shot.struck or ball_to_strike(variant, situation)
     found = [
-        *_contacts(trace, struck),
+        *_contacts(trace, struck, variant.same_time),
         *_marks(variant, trace),
         *_leavings(variant.world, situation, trace),
     ]
@@ -67,26 +65,31 @@ def observe(variant: Variant, situation: Situation, shot: Shot, trace: Trace) ->
     return replace(shot, events=tuple(ordered), after=Rest(positions=dict(trace.final)))
 
 
-def _contacts(trace: Trace, struck: BallId) -> Iterator[told.Event]:
-    met = [one for event in trace.events() if (one := _translate(event, struck)) is not None]
-    for (_, first), group in groupby(met, key=_moment):
-        together = list(group)
-        if first is None or len(together) == 1:
-            yield from together
-        else:
-            yield _at_once(together)
+def _contacts(trace: Trace, struck: BallId, same_time: float) -> Iterator[told.Event]:
+    """Yield what touched what; hits of one ball, one right after the other, are one event."""
+    together: list[told.BallsHit] = []
+    for event in trace.events():
+        one = _translate(event, struck)
+        if one is None:
+            continue
+        if isinstance(one, told.BallsHit) and together and _same(together[0], one, same_time):
+            together.append(one)
+            continue
+        yield from _at_once(together)
+        together = [one] if isinstance(one, told.BallsHit) else []
+        if not together:
+            yield one
+    yield from _at_once(together)
 
 
-def _moment(event: told.Event) -> tuple[int, str | None]:
-    """Return what two hits of the same ball at the same time have in common."""
-    ticks = round((event.time or 0.0) / SAME_TIME)
-    return ticks, event.ball if isinstance(event, told.BallsHit) else None
+def _same(first: told.BallsHit, one: told.BallsHit, same_time: float) -> bool:
+    return one.ball == first.ball and (one.time or 0.0) - (first.time or 0.0) <= same_time
 
 
-def _at_once(hits: list[told.Event]) -> told.BallsHit:
-    balls = [hit for hit in hits if isinstance(hit, told.BallsHit)]
-    others = tuple(dict.fromkeys(other for hit in balls for other in hit.others))
-    return replace(balls[0], others=others)
+def _at_once(hits: list[told.BallsHit]) -> Iterator[told.BallsHit]:
+    if hits:
+        others = tuple(dict.fromkeys(other for hit in hits for other in hit.others))
+        yield replace(hits[0], others=others)
 
 
 def _translate(event: seen.Event, struck: BallId) -> told.Event | None:

@@ -107,6 +107,7 @@ def load_variant(
         look=draft.look,
         program=program,
         pins=draft.pins,
+        same_time=draft.spec.same_time,
     )
 
 

@@ -230,4 +230,5 @@ class VariantSpec(Shape):
     players: Annotated[Players, Before(_players), Told(_HOW_MANY)]
     cue_balls: Annotated[list[str], Bounds(min_length=1, max_length=64)]
     rack: RackShape = RackShape()
+    same_time: Annotated[float, Bounds(ge=0, le=0.01)] = 1e-9
     settings: Annotated[dict[Name, SettingShape], MANY] = empty(dict)

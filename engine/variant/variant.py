@@ -118,3 +118,5 @@ class Variant:
     look: Look
     program: Program
     pins: tuple[PinKind, ...] = ()
+    same_time: float = 1e-9
+    """Hits of one ball that lie no further apart are one event, s."""
