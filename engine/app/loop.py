@@ -6,6 +6,7 @@ smooth it looks and never what happens.
 
 from __future__ import annotations
 
+import gc
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from time import perf_counter, thread_time
@@ -54,6 +55,8 @@ if TYPE_CHECKING:
     from engine.scene.camera import Camera
     from engine.table.furniture import Point
 
+SEARCHES = (10_000, 20, 50)
+"""How many things are made before garbage is searched for: young, older, old ones."""
 PAGE_KEYS = {"up": -1, "down": 1, "page up": -12, "page down": 12}
 
 
@@ -93,6 +96,7 @@ class Loop:
     exporter: Exporter = field(init=False)
     picture_due: bool = False
     """Whether what is drawn next is to be saved as a picture."""
+    _quiet: bool = False
     _rate_shown: float = 0.0
     _camera: Camera | None = None
     _followed: Point | None = None
@@ -113,12 +117,21 @@ class Loop:
             self._rate_shown = clock.get_fps()
             if self.startup.trouble is not None:
                 raise self.startup.trouble
+            if not self._quiet and self.startup.playable and not self.startup.saying:
+                self._quieten()
             if each is not None:
                 each(self)
             began, at_work = perf_counter(), thread_time()
             self.frame(self.window.read(), seconds)
             self.busy, self.worked = perf_counter() - began, thread_time() - at_work
         self._leave()
+
+    def _quieten(self) -> None:
+        """Take all that was loaded out of the search for garbage, for which a frame would wait."""
+        gc.collect()
+        gc.freeze()
+        gc.set_threshold(*SEARCHES)
+        self._quiet = True
 
     def frame(self, events: list[InputEvent], seconds: float) -> None:
         """Do one frame: take in `events`, let `seconds` pass, draw."""
