@@ -137,7 +137,7 @@ def span_of(
     """
     middle = y + 0.5
     along = x0 + (middle - y0) * slopes[0]
-    if middle <= y1:
+    if middle < y1:
         aside = x0 + (middle - y0) * slopes[1] if y1 > y0 else x1
     else:
         aside = x1 + (middle - y1) * slopes[2] if y2 > y1 else x1
