@@ -147,8 +147,9 @@ def _cushions(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]
         place = positions.get(ball.id)
         if place is None:
             continue
-        reach = nose_reach(ball.radius, world.table.nose_height) + TOUCHING
+        nosed = nose_reach(ball.radius, world.table.nose_height)
         for cushion in world.table.cushions:
+            reach = (ball.radius if cushion.upright else nosed) + TOUCHING
             if any(distance_to(nose, place) <= reach for nose in cushion.shapes):
                 yield ball.id, as_cushion(cushion.id)
 

@@ -116,7 +116,8 @@ def is_caught(game: Game, case: Case, site: int) -> bool:
         record = case.record
         if site in case.opening:
             report = Report(record.source, shape=RecordSpec)
-            start = start_of(Names(game.variant, report), case.spec, case.seed)
+            names = Names(game.variant, report, by_hand=case.spec.by_hand)
+            start = start_of(names, case.spec, case.seed)
             if report.diagnostics:
                 return True
             record = replace(record, start=start)

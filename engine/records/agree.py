@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from engine.records.compare import WITHIN
 from engine.table.furniture import Opposite, Places
 from engine.table.marks import away_from
-from engine.table.region import distance_to, nose_reach
+from engine.table.region import distance_to
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
@@ -38,7 +38,7 @@ def strange_zones(
 def strange_contacts(
     world: World, positions: Mapping[BallId, Point], pairs: Iterable[Pair]
 ) -> Iterator[str]:
-    """Yield each contact of things that lie apart by their positions (m)."""
+    """Yield each contact of things that lie apart by their positions (m), seen from above."""
     for one, other in sorted(pairs):
         gap = _gap(world, positions, one, other)
         if gap is not None and gap > WITHIN:
@@ -75,5 +75,4 @@ def _gap(world: World, positions: Mapping[BallId, Point], one: str, other: str) 
         if other == f"cushion {cushion.id}"
         for nose in cushion.shapes
     ]
-    reach = nose_reach(radii[one], world.table.nose_height)
-    return min((distance_to(nose, places[one]) - reach for nose in noses), default=None)
+    return min((distance_to(nose, places[one]) - radii[one] for nose in noses), default=None)

@@ -68,7 +68,7 @@ def _before(names: Names, spec: BeforeSpec, opened: Situation) -> Situation:
     positions = names.positions(spec.positions, (*path, "positions"))
     rest = Rest(
         zones=_zones(names, spec.zones, (*path, "zones")),
-        frozen=names.contacts(spec.frozen, (*path, "frozen")),
+        frozen=names.contacts(spec.frozen, (*path, "frozen")) | names.drawn(positions),
     )
     names.agreeing(replace(rest, positions=positions), path)
     situation = replace(

@@ -28,7 +28,7 @@ def build_record(
 
     `seed` decides what is by lot in the shots of a whole match.
     """
-    names = Names(variant, report)
+    names = Names(variant, report, by_hand=spec.by_hand)
     start = start_of(names, spec, seed)
     steps = tuple(
         step_of(names, shot, ("shot", index), start.players) for index, shot in enumerate(spec.shot)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from engine.records.agree import strange_contacts, strange_covers, strange_zones
+from engine.records.drawn import drawn_contacts
 from engine.table.furniture import BallId, ZoneId
 
 if TYPE_CHECKING:
@@ -26,9 +27,10 @@ if TYPE_CHECKING:
 class Names:
     """The names of one record; mistakes go to the report."""
 
-    def __init__(self, variant: Variant, report: Report) -> None:
+    def __init__(self, variant: Variant, report: Report, *, by_hand: bool = False) -> None:
         self.variant = variant
         self.report = report
+        self.by_hand = by_hand
         self.words = variant.program.vocabulary
         self.balls = [ball.name for ball in self.words.balls]
 
@@ -73,6 +75,10 @@ class Names:
                 self.ball(other, (*path, index))
             pairs.add((one, other))
         return frozenset(pairs)
+
+    def drawn(self, positions: Mapping[BallId, Point]) -> frozenset[Pair]:
+        """Return the contacts that positions (m) of a record written by hand mean besides."""
+        return drawn_contacts(self.variant.world, positions) if self.by_hand else frozenset()
 
     def agreeing(self, rest: Rest, path: KeyPath) -> None:
         """Report where zones, contacts and taken spots are not what the positions tell."""

@@ -88,9 +88,10 @@ def _after(names: Names, spec: AfterSpec, path: KeyPath) -> Rest:
     for spot, ball in spec.spots.items():
         names.known("T318", (*path, "spots", spot), "spot", spot, names.words.spots)
         covered[SpotId(spot)] = names.ball(ball, (*path, "spots", spot))
+    positions = names.positions(spec.positions, (*path, "positions"))
     rest = Rest(
-        positions=names.positions(spec.positions, (*path, "positions")),
-        frozen=names.contacts(spec.frozen, (*path, "frozen")),
+        positions=positions,
+        frozen=names.contacts(spec.frozen, (*path, "frozen")) | names.drawn(positions),
         covered=covered,
     )
     names.agreeing(rest, path)

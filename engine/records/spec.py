@@ -112,3 +112,8 @@ class RecordSpec(Strict):
     physics: str | None = None
     before: BeforeSpec | None = None
     shot: Annotated[list[ShotSpec], Field(min_length=1)]
+
+    @property
+    def by_hand(self) -> bool:
+        """Whether nothing of it was played: it tells no stroke."""
+        return self.physics is None and all(shot.strike is None for shot in self.shot)
