@@ -77,7 +77,7 @@ def test_a_triangle_through_the_near_plane_is_cut_there():
 
 def test_a_corner_right_on_a_pixels_middle_is_hit_once():
     corners = [(-1.5, 188.5), (19.5, 189.5), (40.5, 202.5), (44.5, 213.5), (21.5, 213.5)]
-    rim = [(x + 10, y - 150) for x, y in [*corners, (-1.5, 201.5)]]
-    middle = (33.5, 49.5)
+    rim = [(x, y - 150) for x, y in [*corners, (-1.5, 201.5)]]
+    middle = (23.5, 49.5)
     fan = [(middle, a, b) for a, b in zip(rim, [*rim[1:], rim[0]], strict=True)]
-    assert hits(fan)[49, 33] == 1
+    assert hits(fan)[49, 23] == 1
