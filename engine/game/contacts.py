@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
 from itertools import combinations
 from math import hypot
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeVar, cast
 
 from engine.game.situation import TOUCHING, Pair, Rest
 from engine.table.furniture import BallId, ZoneId
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from engine.physics.world import World
-    from engine.table.furniture import CushionId, Point, Table
+    from engine.table.furniture import Cushion, CushionId, Point, Table
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -84,7 +84,7 @@ class Contacts(AbstractSet[Pair]):
     Two balls stand in the order of the world.
     """
 
-    __slots__ = ("_all", "_positions", "_told", "_world")
+    __slots__ = ("_all", "_bodies", "_positions", "_told", "_world")
 
     def __init__(
         self, world: World, positions: Mapping[BallId, Point], told: AbstractSet[Pair] = frozenset()
@@ -93,6 +93,7 @@ class Contacts(AbstractSet[Pair]):
         self._positions = positions
         self._told = told
         self._all: frozenset[Pair] | None = None
+        self._bodies: dict[str, tuple[int, float]] = {}
 
     @classmethod
     def _from_iterable(cls, found: Iterator[Pair]) -> frozenset[Pair]:  # type: ignore[override]
@@ -104,7 +105,33 @@ class Contacts(AbstractSet[Pair]):
         return self._all
 
     def __contains__(self, pair: object) -> bool:
-        return pair in self._found()
+        if pair in self._told:
+            return True
+        if self._all is not None:
+            return pair in self._all
+        one, other = cast("tuple[BallId, BallId]", pair)
+        place = self._positions.get(one)
+        if place is None:
+            return False
+        if other in self._positions:
+            return self._touch(one, other)
+        return any(
+            as_cushion(cushion.id) == other
+            and _meets(self._world, cushion, self._body(one)[1], place)
+            for cushion in self._world.table.cushions
+        )
+
+    def _touch(self, one: BallId, other: BallId) -> bool:
+        """Tell whether two balls touch, `one` standing before the other in the world."""
+        (x, y), (u, v) = self._positions[one], self._positions[other]
+        (rank, radius), (later, size) = self._body(one), self._body(other)
+        return rank < later and hypot(x - u, y - v) <= radius + size + TOUCHING
+
+    def _body(self, ball: BallId) -> tuple[int, float]:
+        """Return which ball of the world it is, and its radius (m)."""
+        if not self._bodies:
+            self._bodies = {b.id: (rank, b.radius) for rank, b in enumerate(self._world.balls)}
+        return self._bodies[ball]
 
     def __iter__(self) -> Iterator[Pair]:
         return iter(self._found())
@@ -147,11 +174,16 @@ def _cushions(world: World, positions: Mapping[BallId, Point]) -> Iterator[Pair]
         place = positions.get(ball.id)
         if place is None:
             continue
-        nosed = nose_reach(ball.radius, world.table.nose_height)
         for cushion in world.table.cushions:
-            reach = (ball.radius if cushion.upright else nosed) + TOUCHING
-            if any(distance_to(nose, place) <= reach for nose in cushion.shapes):
+            if _meets(world, cushion, ball.radius, place):
                 yield ball.id, as_cushion(cushion.id)
+
+
+def _meets(world: World, cushion: Cushion, radius: float, place: Point) -> bool:
+    """Tell whether a ball of `radius` (m) at a place touches a nose of a cushion."""
+    nosed = radius if cushion.upright else nose_reach(radius, world.table.nose_height)
+    reach = nosed + TOUCHING
+    return any(distance_to(nose, place) <= reach for nose in cushion.shapes)
 
 
 def as_cushion(cushion: CushionId | str) -> str:
