@@ -46,7 +46,6 @@ def put_in_order(work: Work, fixed: int, table: Floats, *, only_fixed: bool = Fa
     parts = pack.parts
     boxes, outlines, spans, shown = _outlines(work)
     layers = pack.traits[:, 1]
-    below = tuple(np.flatnonzero(shown & (layers == k)).astype(np.int32) for k in (0, 1))
     dropping = np.flatnonzero(s.centres[:, 2] < SUNK * s.radii).astype(np.int32) + parts
     wide, tall = view.size
     inside = (boxes[:, 2] > 0.0) & (boxes[:, 0] < wide) & (boxes[:, 3] > 0.0) & (boxes[:, 1] < tall)
@@ -56,6 +55,8 @@ def put_in_order(work: Work, fixed: int, table: Floats, *, only_fixed: bool = Fa
         chosen = chosen[chosen < fixed]
     middles = pack.points[pack.starts[:-1, 0]]
     far = ((np.concatenate([middles, s.centres]) - view.eye) ** 2).sum(axis=1)
+    below = [np.flatnonzero(shown & (layers == k)).astype(np.int32) for k in (0, 1)]
+    below[0] = below[0][np.lexsort((-far[below[0]], middles[below[0], 2]))]
     items = np.zeros(len(chosen), np.int32)
     broken = order.sort_items(
         chosen,

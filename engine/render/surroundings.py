@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from engine.scene.scene import Scene
     from engine.scene.shape import Disc, Rgb
 
+    Stops = tuple[tuple[float, Rgb], ...]
+
 
 def lamps_of(scene: Scene) -> Floats:
     """Return the lights as (n, 4): position and power."""
@@ -25,12 +27,14 @@ def discs_of(discs: tuple[Disc, ...]) -> tuple[Floats, Pixels]:
     return np.array(rows, dtype=np.float64).reshape(-1, 6), np.array(shades, dtype=np.uint32)
 
 
-def background_of(colours: tuple[Rgb, Rgb], height: int) -> Pixels:
-    """Return the colour of every row, from the upper colour to the lower one, (height, 1)."""
-    upper, lower = (np.array(colour, dtype=np.float64) for colour in colours)
-    share = np.linspace(0.0, 1.0, height)[:, None]
-    red, green, blue = np.rint(upper * (1.0 - share) + lower * share).astype(np.uint32).T
-    rows: Pixels = ((red << 16) | (green << 8) | blue)[:, None]
+def background_of(stops: Stops, height: int) -> Pixels:
+    """Return the colour of every row, mixed between the stops about its middle, (height, 1)."""
+    places = [share for share, _ in stops]
+    middles = (np.arange(height) + 0.5) / height
+    rows = np.zeros((height, 1), np.uint32)
+    for part in range(3):
+        mixed = np.interp(middles, places, [colour[part] for _, colour in stops])
+        rows[:, 0] |= np.rint(mixed).astype(np.uint32) << (16 - 8 * part)
     return rows
 
 
@@ -41,8 +45,8 @@ class Backdrop:
         self._asked: object = None
         self._rows: Pixels = np.zeros((0, 1), np.uint32)
 
-    def rows(self, colours: tuple[Rgb, Rgb], height: int) -> Pixels:
+    def rows(self, stops: Stops, height: int) -> Pixels:
         """Return the colour of every row, (height, 1)."""
-        if self._asked != (colours, height):
-            self._asked, self._rows = (colours, height), background_of(colours, height)
+        if self._asked != (stops, height):
+            self._asked, self._rows = (stops, height), background_of(stops, height)
         return self._rows

@@ -50,8 +50,8 @@ class Scene:
     objects: tuple[GameObject, ...]
     lights: tuple[Light, ...]
     camera: Camera
-    background: tuple[Rgb, Rgb] = ((46, 50, 58), (14, 15, 18))
-    """The colour at the upper edge of the picture and at the lower one."""
+    background: tuple[tuple[float, Rgb], ...] = ((0.0, (46, 50, 58)), (1.0, (14, 15, 18)))
+    """Colours down the picture, each with its share of the height; between them they are mixed."""
     ambient: float = 0.3
     marks: tuple[Disc, ...] = ()
     shadows: tuple[Disc, ...] = ()

@@ -85,10 +85,11 @@ def weld(polygons: list[Polygon]) -> list[Polygon]:
     """
     keys = {(round(x / NEAR), round(y / NEAR)): (x, y) for poly in polygons for x, y in poly}
     corners = np.array(list(keys.values()))
-    return [_weld_one(polygon, corners) for polygon in polygons]
+    return [weld_to(polygon, corners) for polygon in polygons]
 
 
-def _weld_one(polygon: Polygon, corners: np.ndarray) -> Polygon:
+def weld_to(polygon: Polygon, corners: np.ndarray) -> Polygon:
+    """Return the polygon with every one of `corners` (n, 2) that lies on an edge as its own."""
     result: Polygon = []
     for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
         way = np.subtract(b, a)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from engine.scene.shape import make_mesh
 from engine.stage import plan
 from engine.stage.dimensions import APRON, LINER, RIM_STEPS
 from engine.stage.region import stations, tidy
+from engine.stage.wood import SIDE, SKIRT, cuts_between, framed, grained, toned
 from engine.table.region import is_hole
 
 if TYPE_CHECKING:
@@ -22,8 +24,14 @@ if TYPE_CHECKING:
     from engine.table.furniture import Pocket, Point, Table
 
     Bottom = Callable[[Point, Point, Pocket | None], float | None]
+    Painted = list[tuple[plan.Polygon, Rgb]]
+    Grain = Callable[[plan.Polygon, Rgb], Painted]
 
 GLOSS = 0.35
+LONGEST = 0.3
+"""The longest length of wood in one piece, m, so that flat shading shows the lamps."""
+LIP = 0.028
+"""How far the outer side of the rail reaches below the bed, m; below it is the apron."""
 
 
 def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]:
@@ -39,9 +47,15 @@ def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]
         else:
             plain.append(cell)
     bottom = partial(_bottom, frame=frame)
-    blocks = [_block(_lengths(c), frame, [wood] * len(_lengths(c)), bottom, c) for c in plain]
+    grain = partial(framed, frame=frame)
+    blocks = [
+        _block(
+            [top for length in _lengths(c) for top in grain(length, wood)], c, frame, wood, bottom
+        )
+        for c in plain
+    ]
     blocks += [
-        _fan_block(wedge, pocket, frame, (wood, liner), bottom)
+        _fan_block(wedge, pocket, frame, (wood, liner), bottom, grain)
         for cell, pocket in round_pockets
         for wedge in plan.wedges(cell, pocket.centre, pocket.radius, RIM_STEPS)
     ]
@@ -51,7 +65,7 @@ def build_rails(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]
 def _lengths(cell: plan.Polygon) -> list[plan.Polygon]:
     """Return a rectangle cut across its longer way, so that flat shading shows the lamps."""
     (x0, y0), (x1, y1) = cell[0], cell[2]
-    count = max(1, round(max(x1 - x0, y1 - y0) / 0.2))
+    count = max(1, round(max(x1 - x0, y1 - y0) / LONGEST))
     steps = [k / count for k in range(count + 1)]
     if x1 - x0 >= y1 - y0:
         xs = [x0 + (x1 - x0) * s for s in steps]
@@ -96,14 +110,15 @@ def _outlined(table: Table, frame: Frame, wood: Rgb, liner: Rgb) -> list[Mesh]:
         if not cell:
             continue
         bottom = partial(_bottom_between, inner=inner, outer=outer)
+        grain = partial(grained, cuts=cuts_between((inner[1], inner[0]), (outer[1], outer[0])))
         near = [p for p in pockets if plan.reaches(cell, p.centre, p.radius)]
         if near:
             blocks += [
-                _fan_block(wedge, near[0], frame, (wood, liner), bottom)
+                _fan_block(wedge, near[0], frame, (wood, liner), bottom, grain)
                 for wedge in plan.wedges(cell, near[0].centre, near[0].radius, RIM_STEPS)
             ]
         else:
-            blocks.append(_block([cell], frame, [wood], bottom))
+            blocks.append(_block(grain(cell, wood), cell, frame, wood, bottom))
     return blocks
 
 
@@ -136,20 +151,25 @@ def _fan_block(
     frame: Frame,
     colours: tuple[Rgb, Rgb],
     bottom: Bottom,
+    grain: Grain,
 ) -> Mesh:
     """Return a block whose top has a strip of liner along the pocket's rim."""
     wood, liner = colours
     rim = [p for p in wedge if _distance(p, pocket.centre) < pocket.radius + 1e-6]
     if len(rim) != 2:
-        return _block([wedge], frame, [wood], bottom)
+        return _block(grain(wedge, wood), wedge, frame, wood, bottom)
     (ax, ay), (bx, by) = rim
     size = _distance(rim[0], rim[1])
     out = ((ay - by) / size, (bx - ax) / size)
     if (pocket.centre[0] - ax) * out[0] + (pocket.centre[1] - ay) * out[1] > 0.0:
         out = (-out[0], -out[1])
     line = ax + out[0] * LINER, ay + out[1] * LINER
-    tops = [plan.cut(wedge, line, out), plan.cut(wedge, line, (-out[0], -out[1]))]
-    return _block([t for t in tops if t], frame, [liner, wood], bottom, wedge, pocket, liner)
+    near, far = plan.cut(wedge, line, out), plan.cut(wedge, line, (-out[0], -out[1]))
+    tops = grain(far, wood) if far else []
+    if near:
+        corners = [point for top, _ in tops for point in top] or near
+        tops = [(plan.weld_to(near, np.array(corners)), liner), *tops]
+    return _block(tops, wedge, frame, wood, bottom, (pocket, liner))
 
 
 def _distance(a: Point, b: Point) -> float:
@@ -157,34 +177,59 @@ def _distance(a: Point, b: Point) -> float:
 
 
 def _block(
-    tops: list[plan.Polygon],
+    tops: Painted,
+    outline: plan.Polygon,
     frame: Frame,
-    colours: list[Rgb],
+    wood: Rgb,
     bottom_of: Bottom,
-    outline: plan.Polygon | None = None,
-    pocket: Pocket | None = None,
-    liner: Rgb = (0, 0, 0),
+    rim: tuple[Pocket, Rgb] | None = None,
 ) -> Mesh:
-    """Return a prism from the frame's top down; sides against other blocks are hidden."""
-    polygon = outline or tops[0]
+    """Return a prism from the frame's top down; sides against other blocks are hidden.
+
+    Where tops meet one another there is no edge, only another tone.
+    """
     points: list[tuple[float, float, float]] = []
     shown: list[list[int]] = []
-    for top in tops:
+    hidden: list[list[int]] = []
+    paint = [colour for _, colour in tops]
+    for top, _ in tops:
         shown.append(list(range(len(points), len(points) + len(top))))
         points += [(x, y, frame.top) for x, y in top]
-    paint = list(colours[: len(tops)])
-    hidden = []
-    for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+    flat, borders = len(points), []
+    pocket, liner = rim or (None, wood)
+    for a, b in zip(outline, (*outline[1:], outline[0]), strict=True):
         bottom = bottom_of(a, b, pocket)
-        side = list(range(len(points), len(points) + 4))
-        low = -APRON if bottom is None else bottom
-        points += [(*a, frame.top), (*a, low), (*b, low), (*b, frame.top)]
-        if bottom is None:
-            hidden.append(side)
-        else:
-            shown.append(side)
-            paint.append(liner if bottom == 0.0 and pocket is not None else colours[-1])
-    return make_mesh(np.array(points), shown, paint, hidden=hidden, gloss=GLOSS)
+        if bottom is not None:
+            borders.append((a, b))
+        for high, low, colour in _bands(bottom, frame.top, wood, liner):
+            side = list(range(len(points), len(points) + 4))
+            points += [(*a, high), (*a, low), (*b, low), (*b, high)]
+            if bottom is None:
+                hidden.append(side)
+            else:
+                shown.append(side)
+                paint.append(colour)
+    mesh = make_mesh(np.array(points), shown, paint, hidden=hidden, gloss=GLOSS)
+    kept = [
+        int(one) >= flat
+        or any(max(_aside(points[k][:2], *side) for k in (one, two)) < 1e-6 for side in borders)
+        for one, two, _, _ in mesh.edges
+    ]
+    return replace(mesh, edges=mesh.edges[kept])
+
+
+def _bands(
+    bottom: float | None, top: float, wood: Rgb, liner: Rgb
+) -> list[tuple[float, float, Rgb]]:
+    """Return a side's bands from its top down: one, or rail and apron where it is outer."""
+    if bottom is None:
+        return [(top, -APRON, wood)]
+    if bottom == 0.0:
+        return [(top, 0.0, liner)]
+    return [
+        (top, -LIP, toned(wood, SIDE)),
+        (-LIP, -APRON, toned(wood, SKIRT)),
+    ]
 
 
 def _bottom(a: Point, b: Point, pocket: Pocket | None, frame: Frame) -> float | None:

@@ -21,8 +21,10 @@ from engine.stage.cue import CuePose, cue_meshes, place_cue
 from engine.stage.cushions import build_cushions
 from engine.stage.dimensions import measure
 from engine.stage.rails import build_rails
+from engine.stage.room import backdrop, build_legs, build_shadow
 from engine.stage.skin import facing, paint_skin
 from engine.stage.skittles import Skittles, build_skittles
+from engine.stage.wood import toned
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -98,6 +100,7 @@ class Stage:
             objects=tuple(objects),
             lights=self.lamps,
             camera=camera,
+            background=backdrop(camera),
             ambient=0.40,
             marks=(*self.spots, *discs),
             shadows=tuple(
@@ -169,6 +172,8 @@ def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline,
     liner = _mix(look.pocket, (58, 54, 50), 0.35)
     rubber = _mix(look.cloth, (255, 255, 255), 0.07)
     return (
+        *build_shadow(frame),
+        *build_legs(table, frame, toned(look.rail, 1.2)),
         *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
         build_bed(table, frame, look.cloth),
         *marks.build_shade(table),
