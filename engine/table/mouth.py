@@ -7,16 +7,65 @@ Invariant: as on a rectangular table, the jaws run in until the drop circle span
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, pi, sin, tan
+from math import atan2, cos, hypot, isfinite, pi, sin, tan
 from typing import TYPE_CHECKING
 
-from engine.table.furniture import Curve, Jaw, Pocket, Straight
+from engine.table.furniture import Curve, Jaw, Pocket, PocketId, Straight
 from engine.table.region import ends
 from frozen import value
 
 if TYPE_CHECKING:
-    from engine.table.build import PocketCut
-    from engine.table.furniture import PocketId, Point, Shape
+    from engine.table.furniture import Point, Shape
+
+RIM = 0.05
+"""Height (m) of what stands behind a pocket where nothing is said: higher than any nose."""
+
+
+@value
+class PocketCut:
+    """How a pocket is cut into the cushions.
+
+    `mouth` (m) runs from tip to tip, a tip being where the nose line and the line of the facing
+    cross; `angle` (rad) is the cut angle between facing and cushion (WPA specifications 9: 142
+    degrees at a corner, 104 at a side; 135 and 90 make parallel facings); `shelf` (m) runs from
+    the mouth to the drop; `jaw_radius` (m) rounds the tip, and is the whole jaw where it is
+    large; `radius` (m) is that of the drop circle. `lip`, `rim`, `restitution`, `friction` and
+    `model` are those of the pocket.
+    """
+
+    mouth: float
+    angle: float
+    shelf: float
+    jaw_radius: float
+    radius: float
+    lip: float = 0.0
+    rim: float = RIM
+    restitution: float = 0.2
+    friction: float = 0.2
+    model: str | None = None
+
+    def pocket(self, name: PocketId, centre: Point, mouth: tuple[Point, Point]) -> Pocket:
+        """Return a pocket of this kind."""
+        return Pocket(
+            name,
+            centre,
+            self.radius,
+            mouth,
+            model=self.model,
+            lip=self.lip,
+            rim=self.rim,
+            restitution=self.restitution,
+            friction=self.friction,
+        )
+
+    def __post_init__(self) -> None:
+        sizes = (self.mouth, self.jaw_radius, self.radius)
+        if not all(isfinite(size) and size > 0.0 for size in (*sizes, self.shelf + 1.0)):
+            message = f"a pocket's mouth, jaw radius and drop radius must be above zero: {self}"
+            raise ValueError(message)
+        if not pi / 4 < self.angle < pi:
+            message = f"a cut angle lies between 45 and 180 degrees, not at {self.angle} rad"
+            raise ValueError(message)
 
 
 @value
@@ -41,19 +90,34 @@ def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape, ball:
     setback = _setback(cut, before, after)
     one, way_in = point_along(before, length_of(before) - setback)
     two, way_out = point_along(after, setback)
-    tips = _ahead(one, way_in, _tangent(cut)), _ahead(two, way_out, -_tangent(cut))
+    tips = _ahead(one, way_in, tangent_of(cut)), _ahead(two, way_out, -tangent_of(cut))
     across = tips[1][0] - tips[0][0], tips[1][1] - tips[0][1]
     axis = across[1] / hypot(*across), -across[0] / hypot(*across)
+    jaws, pocket = fill_gap(name, cut, tips, (way_in, way_out), axis)
+    _check_throat(cut, (jaws[0].shapes[-1], _reversed(jaws[1].shapes[0])), axis, ball)
+    return Mouth(setback, jaws, pocket)
+
+
+def fill_gap(
+    name: PocketId,
+    cut: PocketCut,
+    tips: tuple[Point, Point],
+    ways: tuple[Point, Point],
+    axis: Point,
+) -> tuple[tuple[Jaw, Jaw], Pocket]:
+    """Return both jaws and the pocket between two tips, where the noses have the ways `ways`.
+
+    `axis` is the unit vector from the mouth into the pocket. Raises MouthError for figures that
+    do not fit.
+    """
     middle = (tips[0][0] + tips[1][0]) / 2.0, (tips[0][1] + tips[1][1]) / 2.0
-    centre = _ahead(middle, axis, cut.shelf + cut.radius)
-    pocket = cut.pocket(name, centre, tips)
-    entering = _jaw(cut, tips[0], way_in, axis, -1.0)
-    leaving = _jaw(cut, tips[1], (-way_out[0], -way_out[1]), axis, 1.0)
-    _check_throat(cut, (entering[-1], leaving[-1]), axis, ball)
+    pocket = cut.pocket(name, _ahead(middle, axis, cut.shelf + cut.radius), tips)
+    entering = _jaw(cut, tips[0], ways[0], axis, -1.0)
+    leaving = _jaw(cut, tips[1], (-ways[1][0], -ways[1][1]), axis, 1.0)
     for jaw in (entering, leaving):
         _check_span(pocket, jaw[-1])
     back = tuple(_reversed(shape) for shape in reversed(leaving))
-    return Mouth(setback, (Jaw(name, entering), Jaw(name, back)), pocket)
+    return (Jaw(name, entering), Jaw(name, back)), pocket
 
 
 def _setback(cut: PocketCut, before: Shape, after: Shape) -> float:
@@ -74,7 +138,7 @@ def _apart(cut: PocketCut, before: Shape, after: Shape, setback: float) -> float
     """Return how far the tips are apart, less than zero where they have passed each other."""
     one, way_in = point_along(before, length_of(before) - setback)
     two, way_out = point_along(after, setback)
-    first, second = _ahead(one, way_in, _tangent(cut)), _ahead(two, way_out, -_tangent(cut))
+    first, second = _ahead(one, way_in, tangent_of(cut)), _ahead(two, way_out, -tangent_of(cut))
     across = second[0] - first[0], second[1] - first[1]
     forward = across[0] * (way_in[0] + way_out[0]) + across[1] * (way_in[1] + way_out[1])
     return hypot(*across) if forward > 0.0 else -hypot(*across)
@@ -83,19 +147,19 @@ def _apart(cut: PocketCut, before: Shape, after: Shape, setback: float) -> float
 def _jaw(cut: PocketCut, tip: Point, way: Point, axis: Point, hand: float) -> tuple[Shape, ...]:
     """Return shoulder and facing walked into the pocket; `hand` is +1 where they turn left."""
     turn = pi - cut.angle
-    start = _ahead(tip, way, -_tangent(cut))
+    start = _ahead(tip, way, -tangent_of(cut))
     aside = -hand * way[1], hand * way[0]
     centre = _ahead(start, aside, cut.jaw_radius)
-    shoulder = Curve(centre, cut.jaw_radius, atan2(-aside[1], -aside[0]), hand * turn)
+    shoulder = Curve(centre, cut.jaw_radius, atan2(0.0 - aside[1], 0.0 - aside[0]), hand * turn)
     c, s = cos(hand * turn), sin(hand * turn)
     facing = c * way[0] - s * way[1], s * way[0] + c * way[1]
     inward = facing[0] * axis[0] + facing[1] * axis[1]
     if inward < 0.05:
         raise MouthError("its facings do not lead into it; a smaller cut angle turns them")
     reach = (cut.shelf + cut.radius) / inward
-    if reach <= _tangent(cut):
+    if reach <= tangent_of(cut):
         return (shoulder,)
-    return shoulder, Straight(_ahead(tip, facing, _tangent(cut)), _ahead(tip, facing, reach))
+    return shoulder, Straight(_ahead(tip, facing, tangent_of(cut)), _ahead(tip, facing, reach))
 
 
 def _check_throat(cut: PocketCut, lasts: tuple[Shape, Shape], axis: Point, ball: float) -> None:
@@ -127,7 +191,8 @@ def _check_span(pocket: Pocket, last: Shape) -> None:
         raise MouthError(message)
 
 
-def _tangent(cut: PocketCut) -> float:
+def tangent_of(cut: PocketCut) -> float:
+    """Return the way (m) from a tip to where its shoulder begins on the nose."""
     return cut.jaw_radius * tan((pi - cut.angle) / 2.0)
 
 
@@ -174,4 +239,14 @@ def _ahead(point: Point, way: Point, distance: float) -> Point:
     return point[0] + way[0] * distance, point[1] + way[1] * distance
 
 
-__all__ = ["Mouth", "MouthError", "cut_mouth", "length_of", "point_along", "shortened"]
+__all__ = [
+    "Mouth",
+    "MouthError",
+    "PocketCut",
+    "cut_mouth",
+    "fill_gap",
+    "length_of",
+    "point_along",
+    "shortened",
+    "tangent_of",
+]
