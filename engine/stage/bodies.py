@@ -58,7 +58,7 @@ def build_posts(table: Table, frame: Frame, rubber: Rgb, wood: Rgb) -> list[Mesh
 
 
 def build_hole_rims(table: Table, colour: Rgb) -> list[Mesh]:
-    """Return the dark rims of the holes in the bed."""
+    """Return the rims of the holes in the bed."""
     sheets = []
     for pocket in table.pockets:
         if not is_hole(pocket):

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 ABOVE_FIELD = radians(24.0)
 MARGIN = 1.03
+ORBIT_FIELD = radians(42.0)
 
 
 def above_camera(table: Table, aspect: float, margin: float = MARGIN) -> Camera:
@@ -50,6 +51,27 @@ def cue_camera(
     return Camera(eye, target, field=field)
 
 
+def orbit_distance(table: Table, azimuth: float, elevation: float, aspect: float) -> float:
+    """Return from how far (m) all of the table is seen, in a window of any ratio.
+
+    `aspect` is width over height of the window; angles in rad, elevation in (0, pi/2).
+    """
+    frame = measure(table)
+    slope = tan(ORBIT_FIELD / 2.0)
+    flat, steep = cos(elevation), sin(elevation)
+    corners = [
+        (sx * frame.outer[0], sy * frame.outer[1], frame.top) for sx in (-1, 1) for sy in (-1, 1)
+    ]
+    far = 0.0
+    for x, y, z in corners:
+        toward = x * cos(azimuth) + y * sin(azimuth)
+        across = y * cos(azimuth) - x * sin(azimuth)
+        near = toward * flat + z * steep
+        up = z * flat - toward * steep
+        far = max(far, near + MARGIN * max(abs(across) / aspect, abs(up)) / slope)
+    return far
+
+
 def orbit_camera(
     table: Table, azimuth: float, elevation: float, distance: float | None = None
 ) -> Camera:
@@ -59,4 +81,4 @@ def orbit_camera(
     """
     steep = min(max(elevation, 0.03), 1.55)
     away = distance if distance is not None else 1.25 * table.length + 0.45
-    return orbit((0.0, 0.0, 0.0), azimuth, steep, max(away, 0.1), radians(42.0))
+    return orbit((0.0, 0.0, 0.0), azimuth, steep, max(away, 0.1), ORBIT_FIELD)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from math import cos, hypot, inf, pi, sin
 from typing import TYPE_CHECKING
 
@@ -32,8 +31,6 @@ PAINT = 0.7
 SPOT_RADIUS = 0.0065
 ARC_STEPS = 48
 LINE_STEPS = 200
-SHADE: Rgb = (0, 0, 0)
-SHADE_REACH = (0.006, 0.012, 0.019, 0.027)
 LONG_SIDE = 0.5
 """A straight side of an outline has sights from this length on, m."""
 GLEAM: Rgb = (235, 245, 235)
@@ -126,38 +123,6 @@ def flat_ring(centre: Point, radius: float, colour: Rgb, width: float = LINE_WID
     """Return a ring on the cloth, such as where a ball would stand."""
     rim = plan.circle(centre, radius, 32)
     return flat_path([*rim, rim[0]], colour, width)
-
-
-def build_shade(table: Table) -> list[Mesh]:
-    """Return tints on the cloth along the cushions' feet: strips, each wider than the last."""
-    sheets = []
-    for reach in SHADE_REACH:
-        strips = []
-        for cushion in table.cushions:
-            points = plan.trace_shapes(cushion.shapes, 0.1)
-            under = -0.012 if len(points) == 2 else -0.02
-            ways = [_inward(points, k) for k in range(len(points))]
-            for (a, u), (b, v) in itertools.pairwise(zip(points, ways, strict=True)):
-                strips.append(
-                    [
-                        (a[0] + under * u[0], a[1] + under * u[1]),
-                        (b[0] + under * v[0], b[1] + under * v[1]),
-                        (b[0] + reach * v[0], b[1] + reach * v[1]),
-                        (a[0] + reach * u[0], a[1] + reach * u[1]),
-                    ]
-                )
-        sheets.append(flat_sheet(strips, LIFT / 2.0, SHADE, layer=1, alpha=0.09))
-    return sheets
-
-
-def _inward(points: Sequence[Point], k: int) -> Point:
-    """Return the unit way from a point of a nose into the bed, shared by its two pieces."""
-    x, y = 0.0, 0.0
-    for a, b in itertools.pairwise(points[max(k - 1, 0) : k + 2]):
-        size = hypot(b[0] - a[0], b[1] - a[1])
-        x, y = x + (a[1] - b[1]) / size, y + (b[0] - a[0]) / size
-    size = hypot(x, y)
-    return x / size, y / size
 
 
 def build_gleam(table: Table) -> tuple[Polyline, ...]:

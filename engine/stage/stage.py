@@ -22,8 +22,10 @@ from engine.stage.cushions import build_cushions
 from engine.stage.dimensions import measure
 from engine.stage.rails import build_rails
 from engine.stage.room import backdrop, build_legs, build_shadow
+from engine.stage.shade import build_shade, shade_posts
 from engine.stage.skin import facing, paint_skin
 from engine.stage.skittles import Skittles, build_skittles
+from engine.stage.values import build_values
 from engine.stage.wood import toned
 
 if TYPE_CHECKING:
@@ -47,6 +49,8 @@ BRIGHTNESS = 0.76
 """Light of all lamps on the bed, on the average."""
 CHALK: Rgb = (214, 218, 208)
 SIGHT: Rgb = (236, 226, 198)
+RIM: Rgb = (136, 128, 112)
+"""The metal round a hole in the bed."""
 FAR = 10.0
 
 
@@ -162,7 +166,7 @@ def stage_of(
         spheres=spheres,
         cue=cue_meshes(),
         lamps=_lamps(table),
-        spots=marks.build_spots(table, CHALK),
+        spots=(*shade_posts(table), *marks.build_spots(table, CHALK)),
         pins=build_skittles(table, pins),
         borders=borders_of(table),
     )
@@ -176,10 +180,11 @@ def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline,
         *build_legs(table, frame, toned(look.rail, 1.2)),
         *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
         build_bed(table, frame, look.cloth),
-        *marks.build_shade(table),
+        *build_shade(table),
         *marks.build_gleam(table),
         *marks.build_lines(table, CHALK),
-        *build_hole_rims(table, liner),
+        *build_values(table, CHALK),
+        *build_hole_rims(table, RIM),
         *build_cushions(table, frame, rubber),
         *build_posts(table, frame, rubber, look.rail),
         *build_rails(table, frame, look.rail, liner),

@@ -8,7 +8,7 @@ from math import cos, pi, sin
 
 import numpy as np
 import pytest
-from stands import LOOK, RADIUS, bare, draw, plain_table
+from stands import RADIUS, bare, draw
 
 from engine.physics.world import Ball
 from engine.render.renderer import make_renderer
@@ -17,6 +17,7 @@ from engine.stage.stage import stage_of
 from engine.table.furniture import BallId, Pin, PinId
 from engine.table.pin import Stance
 from engine.variant.variant import BallKind, PinKind
+from tools.render_scenes import LOOK, plain_table
 
 TALL = ((0.0, 0.007), (0.036, 0.010), (0.12, 0.0055))
 SHORT = ((0.0, 0.0035), (0.013, 0.005), (0.025, 0.003))
