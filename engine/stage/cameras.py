@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from math import cos, radians, sin, tan
+from math import atan2, cos, hypot, radians, sin, tan
 from typing import TYPE_CHECKING
 
 from engine.scene.camera import Camera, orbit
+from engine.stage.clearance import borders_of, raise_cue
+from engine.stage.cue import CuePose
 from engine.stage.dimensions import measure
 
 if TYPE_CHECKING:
@@ -13,6 +15,11 @@ if TYPE_CHECKING:
 
 ABOVE_FIELD = radians(24.0)
 MARGIN = 1.03
+OVER_CUE = radians(13.0)
+"""The eye behind a ball is at least so far above the cue, seen from the ball."""
+STEEPEST = radians(84.0)
+USUAL_NOSE = 1.27
+"""Height of a nose in radii of a ball."""
 ORBIT_FIELD = radians(42.0)
 
 
@@ -39,12 +46,18 @@ def cue_camera(
     back: float = 0.85,
     height: float = 0.42,
     field: float = radians(46.0),
+    elevation: float = 0.0,
 ) -> Camera:
     """Return a camera behind a ball at `ball` (m) that looks along `heading` (rad).
 
-    `back` and `height` are the eye's distance behind the ball and above the bed, m.
+    `back` and `height` are the eye's distance behind the ball and above the bed, m. With the cue
+    at an `elevation` (rad), or raised over what is behind the ball, the eye rises to look over it.
     """
     ahead = cos(heading), sin(heading)
+    steep = min(_drawn(table, ball, heading, elevation) + OVER_CUE, STEEPEST)
+    if steep > atan2(height, back):
+        away = hypot(back, height)
+        back, height = away * cos(steep), away * sin(steep)
     eye = ball[0] - back * ahead[0], ball[1] - back * ahead[1], height + table.nose_height
     reach = 0.55 + 0.12 * table.length
     target = ball[0] + reach * ahead[0], ball[1] + reach * ahead[1], 0.0
@@ -60,7 +73,10 @@ def orbit_distance(table: Table, azimuth: float, elevation: float, aspect: float
     slope = tan(ORBIT_FIELD / 2.0)
     flat, steep = cos(elevation), sin(elevation)
     corners = [
-        (sx * frame.outer[0], sy * frame.outer[1], frame.top) for sx in (-1, 1) for sy in (-1, 1)
+        (sx * frame.outer[0], sy * frame.outer[1], z)
+        for sx in (-1, 1)
+        for sy in (-1, 1)
+        for z in (frame.top, -frame.rail)
     ]
     far = 0.0
     for x, y, z in corners:
@@ -70,6 +86,13 @@ def orbit_distance(table: Table, azimuth: float, elevation: float, aspect: float
         up = z * flat - toward * steep
         far = max(far, near + MARGIN * max(abs(across) / aspect, abs(up)) / slope)
     return far
+
+
+def _drawn(table: Table, ball: Point, heading: float, elevation: float) -> float:
+    """Return the elevation that a cue at the middle of a ball of usual size is drawn at."""
+    radius = table.nose_height / USUAL_NOSE
+    pose = CuePose((ball[0], ball[1], radius), radius, heading, elevation)
+    return raise_cue(borders_of(table), pose).elevation
 
 
 def orbit_camera(

@@ -8,6 +8,7 @@ import pytest
 from stands import RADIUS, TABLES, make_stage
 
 from engine.scene.camera import Camera
+from engine.stage.cameras import cue_camera
 from engine.stage.clearance import borders_of, raise_cue
 from engine.stage.cue import CuePose, cue_meshes, place_cue
 from engine.stage.dimensions import measure
@@ -100,3 +101,23 @@ def test_the_stage_draws_the_raised_cue():
     scene = stage.scene({}, Camera((0.0, 0.0, 2.0), (0.0, 0.1, 0.0)), cue=pose)
     cue = next(one for one in scene.objects if one.shapes is stage.cue)
     assert (over_wood(stage.table, points_of(cue))[:, 2] > measure(stage.table).top).all()
+
+
+@pytest.mark.parametrize("table", TABLES)
+@pytest.mark.parametrize("elevation", [0.0, 0.3, 0.7, 1.3])
+@pytest.mark.parametrize("x", [0.0, 1.05])
+def test_the_eye_behind_the_ball_looks_over_the_cue(table, elevation, x):
+    furniture = TABLES[table]()
+    place = (x * RADIUS - furniture.length / 2.0, 0.0) if x else (1.0, 0.0)
+    camera = cue_camera(furniture, place, 0.0, elevation=elevation)
+    pose = raise_cue(borders_of(furniture), pose_at(*place, 0.0, elevation=elevation))
+    away = np.linalg.norm(points_of(place_cue(cue_meshes(), pose)) - camera.eye, axis=1)
+    assert away.min() > 0.12
+    steep = np.arctan2(camera.eye[2] - RADIUS, place[0] - camera.eye[0])
+    assert steep > pose.elevation + radians(5.0)
+
+
+def test_with_a_level_cue_in_the_open_the_eye_is_where_it_was_asked_for():
+    table = TABLES["pockets"]()
+    camera = cue_camera(table, (1.0, 0.2), 0.0, back=0.85, height=0.42)
+    assert camera.eye == pytest.approx((0.15, 0.2, 0.42 + table.nose_height))
