@@ -93,9 +93,7 @@ def cut_mouth(name: PocketId, cut: PocketCut, before: Shape, after: Shape, ball:
     tips = _ahead(one, way_in, tangent_of(cut)), _ahead(two, way_out, -tangent_of(cut))
     across = tips[1][0] - tips[0][0], tips[1][1] - tips[0][1]
     axis = across[1] / hypot(*across), -across[0] / hypot(*across)
-    jaws, pocket = fill_gap(name, cut, tips, (way_in, way_out), axis)
-    _check_throat(cut, (jaws[0].shapes[-1], _reversed(jaws[1].shapes[0])), axis, ball)
-    return Mouth(setback, jaws, pocket)
+    return Mouth(setback, *fill_gap(name, cut, tips, (way_in, way_out), axis, ball))
 
 
 def fill_gap(
@@ -104,16 +102,19 @@ def fill_gap(
     tips: tuple[Point, Point],
     ways: tuple[Point, Point],
     axis: Point,
+    ball: float = 0.0,
 ) -> tuple[tuple[Jaw, Jaw], Pocket]:
     """Return both jaws and the pocket between two tips, where the noses have the ways `ways`.
 
-    `axis` is the unit vector from the mouth into the pocket. Raises MouthError for figures that
-    do not fit.
+    `axis` is the unit vector from the mouth into the pocket; balls of at most `ball` (m) radius
+    must pass between straight facings. Raises MouthError for figures that do not fit.
     """
     middle = (tips[0][0] + tips[1][0]) / 2.0, (tips[0][1] + tips[1][1]) / 2.0
     pocket = cut.pocket(name, _ahead(middle, axis, cut.shelf + cut.radius), tips)
     entering = _jaw(cut, tips[0], ways[0], axis, -1.0)
     leaving = _jaw(cut, tips[1], (-ways[1][0], -ways[1][1]), axis, 1.0)
+    if ball:
+        _check_throat(cut, (entering[-1], leaving[-1]), axis, ball)
     for jaw in (entering, leaving):
         _check_span(pocket, jaw[-1])
     back = tuple(_reversed(shape) for shape in reversed(leaving))
