@@ -313,6 +313,7 @@ class Loop:
         if renderer is not None:
             scene = self.showing.scene(self.session, screen.camera)
             renderer.render(scene, self.window.part(screen.picture))
+            self.window.take_back()
         draw_called(self.hud.pen, self.session, screen)
         self.hud.draw(self.session, self._status())
         if self.page is not None:

@@ -5,8 +5,10 @@ One idea: pygame's events become plain values here, once; nothing else of the ga
 
 from __future__ import annotations
 
+import gc
 import os
 from dataclasses import dataclass
+from time import sleep
 from typing import TYPE_CHECKING
 
 import pygame
@@ -22,6 +24,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SMALLEST = (480, 320)
+PATIENCE = 40
+"""Half milliseconds that memory lent is waited for."""
 
 
 class NoWindowError(RuntimeError):
@@ -61,6 +65,17 @@ class Window:
         left, top, width, height = box
         rows: NDArray[np.uint32] = pygame.surfarray.pixels2d(self.surface).T
         return rows[top : top + height, left : left + width]
+
+    def take_back(self) -> None:
+        """See to it that the memory lent is given back, before anything else draws.
+
+        A renderer's thread may hold on to it for a moment after its work is done.
+        """
+        for _ in range(PATIENCE):
+            if not self.surface.get_locked():
+                return
+            sleep(0.0005)
+        gc.collect()
 
     def entitle(self, title: str) -> None:
         """Write a title on the window's frame."""

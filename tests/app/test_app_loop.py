@@ -2,6 +2,7 @@
 
 import tomllib
 from random import Random
+from threading import Timer
 
 import numpy as np
 import pygame
@@ -404,3 +405,12 @@ def test_space_halts_what_is_shown_and_the_brackets_change_its_pace(loop):
     assert loop.session.clock > clock
     press(loop, "[", "space")
     assert loop.session.pace == 0.5
+
+
+def test_memory_that_is_given_back_late_is_waited_for(loop):
+    loop.frame([], 0.0)
+    held = [loop.window.part((0, 0, 10, 10))]
+    assert loop.window.surface.get_locked()
+    Timer(0.003, held.clear).start()
+    loop.window.take_back()
+    assert not loop.window.surface.get_locked()
