@@ -8,7 +8,7 @@ to the cushion or the pocket it belongs to.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite, pi, sqrt
+from math import pi, sqrt
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ import numpy as np
 
 from engine.physics import state
 from engine.physics.noses import Owner, pack_curve, pack_noses, widen
+from engine.physics.sane import check_world, own_or
 from engine.table.furniture import Curve
 from engine.table.pin import meeting
 
@@ -24,13 +25,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from engine.physics.world import Ball, Layout, World
-    from engine.table.furniture import (
-        BallId,
-        PocketId,
-        Point,
-        Rubber,
-    )
+    from engine.physics.world import Ball, World
+    from engine.table.furniture import BallId, PocketId, Rubber
 
 MOTIONS = {"slide-roll": state.SLIDE_ROLL, "two-speed": state.TWO_SPEED}
 BALL_BALLS = {
@@ -52,7 +48,6 @@ CLUSTERS = {
     "sequential": state.SEQUENTIAL,
 }
 FLIGHTS = ("ballistic", "none")
-OVERLAP = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,16 +114,12 @@ def _pack_ball(row: NDArray[np.float64], ball: Ball, world: World) -> None:
     row[state.RADIUS], row[state.MASS] = ball.radius, ball.mass
     row[state.Z] = ball.radius
     row[state.REACH] = nose_reach(ball.radius, world.table.nose_height)
-    row[state.SLIDING] = _own(ball.sliding, cloth.sliding)
-    row[state.ROLLING_MU] = _own(ball.rolling, cloth.rolling)
-    row[state.SLOWING] = _own(ball.spin_deceleration, cloth.spin_deceleration)
+    row[state.SLIDING] = own_or(ball.sliding, cloth.sliding)
+    row[state.ROLLING_MU] = own_or(ball.rolling, cloth.rolling)
+    row[state.SLOWING] = own_or(ball.spin_deceleration, cloth.spin_deceleration)
     usual = world.contact.restitution
-    row[state.LIVELY] = _own(ball.restitution, usual) - usual
+    row[state.LIVELY] = own_or(ball.restitution, usual) - usual
     row[state.GRIP] = ball.grip - 1.0
-
-
-def _own(own: float | None, usual: float) -> float:
-    return usual if own is None else own
 
 
 def give_rubber(world: World, noses: NDArray[np.float64], owners: tuple[Owner, ...]) -> None:
@@ -192,7 +183,7 @@ def refuse_rare(world: Packed) -> None:
 def pack_world(world: World) -> NDArray[np.float64]:
     """Return the world's numbers, columns G_*; raises ValueError for what cannot be."""
     cloth, contact, table = world.cloth, world.contact, world.table
-    _check_world(world)
+    check_world(world)
     reach = max((ball.radius for ball in world.balls), default=0.0) * 8.0
     row = np.zeros(state.WORLD_WIDTH)
     row[state.G_THRESHOLD], row[state.G_GRAVITY] = cloth.threshold, cloth.gravity
@@ -221,101 +212,6 @@ def _choose(names: Mapping[str, int], name: str, what: str) -> int:
     return names[name]
 
 
-LIVELIEST = 0.95
-"""The greatest restitution of a bed: balls on a livelier one would bounce for too long."""
-
-
-def _check_world(world: World) -> None:
-    cloth = world.cloth
-    above = {
-        "sliding friction": cloth.sliding,
-        "rolling friction": cloth.rolling,
-        "spin deceleration": cloth.spin_deceleration,
-        "gravity": cloth.gravity,
-        "threshold": cloth.threshold,
-    }
-    for ball in world.balls:
-        above[f"radius of {ball.id}"] = ball.radius
-        above[f"mass of {ball.id}"] = ball.mass
-        above[f"sliding friction of {ball.id}"] = _own(ball.sliding, cloth.sliding)
-        above[f"rolling friction of {ball.id}"] = _own(ball.rolling, cloth.rolling)
-        above[f"spin deceleration of {ball.id}"] = _own(
-            ball.spin_deceleration, cloth.spin_deceleration
-        )
-    for what, number in above.items():
-        if not (isfinite(number) and number > 0.0):
-            message = f"{what} must be above zero, not {number}"
-            raise ValueError(message)
-    if not 0.0 <= cloth.bounce <= LIVELIEST:
-        message = f"the restitution of ball on bed lies between 0 and {LIVELIEST}: {cloth.bounce}"
-        raise ValueError(message)
-    for what, number in _restitutions(world):
-        if not 0.0 <= number <= 1.0:
-            message = f"the restitution of {what} lies between 0 and 1, not at {number}"
-            raise ValueError(message)
-    for ball in world.balls:
-        if not (isfinite(ball.grip) and ball.grip >= 0.0):
-            message = f"the grip of {ball.id} is zero or more, not {ball.grip}"
-            raise ValueError(message)
-    if not 0.0 <= world.contact.cluster_gap <= 1e-3:
-        message = f"a cluster's gap lies between 0 and 1 mm, not at {world.contact.cluster_gap}"
-        raise ValueError(message)
-
-
-def _restitutions(world: World) -> list[tuple[str, float]]:
-    table = world.table
-    found = [
-        ("ball on ball", world.contact.restitution),
-        ("ball on cushion", world.rubber.restitution),
-    ]
-    found += [(str(b.id), b.restitution) for b in world.balls if b.restitution is not None]
-    found += [(str(c.id), c.rubber.restitution) for c in table.cushions if c.rubber]
-    found += [(f"the jaws of {p.id}", p.rubber.restitution) for p in table.pockets if p.rubber]
-    found += [(str(p.id), p.restitution) for p in table.pockets]
-    return found + [(str(pin.id), pin.restitution) for pin in table.pins]
-
-
-def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArray[np.float64]]:
-    """Return the balls on the table in the world's order and their rows, at rest.
-
-    Raises ValueError for a layout that cannot be.
-    """
-    index, known = world.index, world.world.balls
-    try:
-        chosen = sorted([index[ball] for ball in layout])
-    except KeyError:
-        message = (
-            f"the layout names balls that the world has not: {sorted(set(layout) - set(index))}"
-        )
-        raise ValueError(message) from None
-    balls = tuple([known[i] for i in chosen])
-    rows = world.rows.take(chosen, axis=0)
-    if len(balls) > FEW:
-        rows[:, state.X : state.Y + 1] = [layout[ball.id] for ball in balls]
-        _check_places(balls, rows)
-    else:
-        places = [layout[ball.id] for ball in balls]
-        for row, (x, y) in zip(rows, places, strict=True):
-            row[state.X], row[state.Y] = x, y
-        _check_few(balls, places)
-    return balls, rows
-
-
-FEW = 4
-"""So few balls are looked through one by one."""
-
-
-def _check_few(balls: tuple[Ball, ...], places: list[Point]) -> None:
-    for i, ((x, y), ball) in enumerate(zip(places, balls, strict=True)):
-        if not isfinite(x + y):
-            raise ValueError("a ball's place must be two finite numbers")
-        for (u, v), other in zip(places[:i], balls[:i], strict=True):
-            need = 2.0 * sqrt(ball.radius * other.radius) - OVERLAP
-            if (x - u) ** 2 + (y - v) ** 2 < need * need:
-                message = f"balls overlap: {other.id} and {ball.id}"
-                raise ValueError(message)
-
-
 def nose_reach(radius: float, nose_height: float) -> float:
     """Return the horizontal distance (m) from centre to nose at contact: R cos(theta)."""
     rise = nose_height - radius
@@ -323,19 +219,6 @@ def nose_reach(radius: float, nose_height: float) -> float:
         message = f"a nose {nose_height} m high never meets a ball of radius {radius} m"
         raise ValueError(message)
     return sqrt(radius * radius - rise * rise)
-
-
-def _check_places(balls: tuple[Ball, ...], rows: NDArray[np.float64]) -> None:
-    x, y, radii = rows[:, state.X], rows[:, state.Y], rows[:, state.RADIUS]
-    if not isfinite(x.sum() + y.sum()):
-        raise ValueError("a ball's place must be two finite numbers")
-    dx, dy = x[:, None] - x, y[:, None] - y
-    need = 2.0 * np.sqrt(radii[:, None] * radii) - OVERLAP
-    bad = dx * dx + dy * dy < need * need
-    if np.count_nonzero(bad) > len(balls):
-        first, second = next((i, j) for i, j in np.argwhere(bad) if i < j)
-        message = f"balls overlap: {balls[first].id} and {balls[second].id}"
-        raise ValueError(message)
 
 
 def pack_pins(world: World) -> tuple[NDArray[np.float64], tuple[Owner, ...]]:
@@ -378,6 +261,5 @@ __all__ = [
     "pack_rubber",
     "pack_world",
     "packed",
-    "place_balls",
     "refuse_rare",
 ]

@@ -17,7 +17,8 @@ import numpy as np
 
 from engine.physics import state
 from engine.physics.felling import MEMORY, NO_PINS, Felling, PinTrace, set_up
-from engine.physics.pack import packed, place_balls, refuse_rare
+from engine.physics.lay import place_balls
+from engine.physics.pack import packed, refuse_rare
 from engine.physics.strike import strike_ball
 from engine.physics.trace import Trace
 
