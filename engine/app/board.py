@@ -6,7 +6,6 @@ elsewhere.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import dataclass, replace
 from math import ceil
@@ -17,11 +16,14 @@ from engine.app.session import Mode
 from engine.app.units import Units
 from engine.app.words import (
     ball_name,
+    counts_points,
     named_balls,
     next_words,
     player_name,
     result_words,
     spoken,
+    tracked_words,
+    turn_words,
     zone_name,
 )
 from engine.game.situation import cue_ball_of
@@ -63,7 +65,8 @@ class TimeLine:
 class Board:
     """All that the display says at one moment; `on` are the balls to be marked.
 
-    `own_time` is the shooter's, for a shot or a turn, `time` that of the game or the match.
+    `own_time` is the shooter's, for a shot or a turn, `time` that of the game or the match; `turn`
+    is what is counted for the turn.
     """
 
     title: str
@@ -76,6 +79,7 @@ class Board:
     call: str
     own_time: tuple[TimeLine, ...] = ()
     time: tuple[TimeLine, ...] = ()
+    turn: str = ""
 
 
 def board_of(session: Session, units: Units = Units.METRIC) -> Board:
@@ -99,6 +103,7 @@ def board_of(session: Session, units: Units = Units.METRIC) -> Board:
         call=call_words(session.call) if before else "",
         own_time=time_lines(session, ("shot", "turn")) if before else (),
         time=() if now.over else time_lines(session, ("game", "match")),
+        turn="" if now.over else ", ".join(turn_words(variant, now)),
     )
 
 
@@ -143,13 +148,7 @@ def player_line(
     notes = []
     if len(variant.cue_balls) > 1:
         notes.append(f"plays {spoken(cue_ball_of(variant, player))}")
-    for name, value in situation.state.items():
-        if isinstance(value, tuple) and len(value) == situation.players:
-            own = value[player - 1]
-            if own not in (False, 0, "none", "", None):
-                notes.append(spoken(name) if own is True else f"{spoken(name)}: {spoken(str(own))}")
-    if player in situation.eliminated:
-        notes.append("out")
+    notes += tracked_words(situation, player)
     return PlayerLine(
         player_name(player, names),
         str(situation.scores[player - 1]) if counts_points(variant) else "",
@@ -166,15 +165,10 @@ def phase_words(situation: Situation) -> list[str]:
 def settings_words(situation: Situation) -> list[str]:
     """Return the house rules of a match that are a number or a name, in words."""
     return [
-        f"{spoken(name)} {spoken(str(value))}"
+        f"{spoken(name)}: {spoken(str(value))}"
         for name, value in situation.settings.items()
         if not isinstance(value, bool)
     ]
-
-
-def counts_points(variant: Variant) -> bool:
-    """Whether any rule of the game gives or takes points."""
-    return any(re.search(r"\b(award|deduct)\b", rule.text) for rule in variant.program.rules)
 
 
 def asked(session: Session, units: Units = Units.METRIC) -> str:

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 GAUGES = 330
 """Width of the gauges, in text pixels."""
+ASKED = (19, 17, 15, 13)
+"""Sizes of what is asked, the greatest first that has room."""
 
 
 def draw_bottom(
@@ -40,7 +42,8 @@ def draw_bottom(
     pen.panel(box, 255, None)
     pen.rule((left, top), (left + width, top))
     edge, room = pen.px(14), width - pen.px(GAUGES + 30)
-    pen.write(board.ask, (edge, top + pen.px(8)), TEXT, 19, room=room)
+    size = next((one for one in ASKED if pen.width(board.ask, one) <= room), ASKED[-1])
+    pen.write(board.ask, (edge, top + pen.px(8)), TEXT, size, room=room)
     said = board.note or (f"called: {board.call}" if board.call else "")
     if said:
         lines = pen.wrap(said, room, 15)

@@ -38,9 +38,10 @@ class Wanted:
     @property
     def in_words(self) -> str:
         """What has to be announced, in words."""
-        ways = [word for word, asked in (("ball", self.ball), ("pocket", self.pocket)) if asked]
+        asked = (("a ball", self.ball), ("a pocket", self.pocket))
+        ways = [word for word, due in asked if due]
         main = [" and ".join(ways)] if ways else []
-        said = " or ".join([*main, *(["a safety"] if self.safety else [])])
+        said = ", or ".join([*main, *(["a safety"] if self.safety else [])])
         return ", if you like ".join(w for w in (said, "a group" if self.group else "") if w)
 
     def is_met(self, call: Call) -> bool:

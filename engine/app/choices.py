@@ -122,10 +122,12 @@ def _table_words(variant: Variant, before: Situation, chosen: Verdict) -> list[s
     if chosen.reracked:
         return ["the balls are racked again"]
     back = [ball_name(variant, one.ball) for one in chosen.spotted]
-    back = [f"{ball} back on the table" for ball in back]
+    back = [f"{_told_apart(ball)} back on the table" for ball in back]
     gone = before.on_table - chosen.after.on_table
     back += [
-        f"{ball_name(variant, kind.id)} off the table" for kind in variant.balls if kind.id in gone
+        f"{_told_apart(ball_name(variant, kind.id))} off the table"
+        for kind in variant.balls
+        if kind.id in gone
     ]
     moved = {
         ball
@@ -135,6 +137,11 @@ def _table_words(variant: Variant, before: Situation, chosen: Verdict) -> list[s
     if moved - {cue_ball_of(variant, chosen.after.shooter)}:
         back.append("the balls go back to where they lay before the stroke")
     return back
+
+
+def _told_apart(ball: str) -> str:
+    """Return a ball's name that is not taken for a count."""
+    return f"ball {ball}" if ball.isdigit() else ball
 
 
 def option_name(option: str) -> str:

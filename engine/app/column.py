@@ -83,6 +83,10 @@ def draw_column(
         _draw_choices(column, session)
     if board.on_words:
         _draw_on(column, session, board, letters=letters)
+    if board.turn:
+        column.line("this turn", FAINT, 14)
+        column.text(board.turn, TONES["plain"], 16, 3)
+        column.rule()
     played = session.match.played
     if session.mode in SHOWING and session.back_to is None:
         played = played[:-1]
@@ -138,12 +142,16 @@ def _draw_on(column: Column, session: Session, board: Board, *, letters: bool) -
     dot = pen.px(11 if letters else 7)
     told = labels_of(session.variant) if letters else {}
     column.line("ball on", FAINT, 14, 4)
-    for place, kind in enumerate(_distinct(kinds)[: column.room // (2 * dot + 4)]):
-        middle = column.x + dot + place * (2 * dot + 4), column.y + dot
+    step = 2 * dot + 4
+    in_a_row = max(1, column.room // step)
+    looks = _distinct(kinds)
+    for place, kind in enumerate(looks):
+        row, here = divmod(place, in_a_row)
+        middle = column.x + dot + here * step, column.y + dot + row * step
         _draw_dot(pen, middle, dot, kind)
         if letters:
             _draw_label(pen, middle, told[kind.id], kind.colour)
-    column.y += 2 * dot + pen.px(7)
+    column.y += (len(looks) - 1) // in_a_row * step + 2 * dot + pen.px(7)
     column.text(board.on_words, GOLD, 17, 3)
     column.rule()
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 WHEN = re.compile(r"-(\d{4})(\d\d)(\d\d)-(\d\d)(\d\d)\d\d")
 """The day and the time in a journal's name."""
+EXPLAINED = 3
+"""Lines of what the marked row is about."""
 ROW = 26
 """Height of a row, in text pixels."""
 
@@ -89,8 +91,8 @@ class LobbyScreen:
         room = (left, top, wide, max(high - below, pen.px(120)))
         y = top + draw_table(pen.surface, card, room) + pen.px(12)
         book = f"by the {card.rulebook}" if card.rulebook else ""
-        pen.write(card.title, (left, y), TEXT, 21)
-        pen.write(book, (left + wide, y + pen.px(5)), FAINT, 14, "right", room=wide // 2)
+        title = pen.write(card.title, (left, y), TEXT, 21)
+        pen.write(book, (left + wide, y + pen.px(5)), FAINT, 14, "right", wide - title - pen.px(24))
         y += pen.px(34)
         for number, row in enumerate(rows, start=1):
             line = (left, y, wide, pen.px(ROW) - 2)
@@ -101,6 +103,20 @@ class LobbyScreen:
         middle = play[0] + play[2] // 2, play[1] + pen.px(5)
         pen.write("Play  (Enter)", middle, BACKGROUND, 17, "middle")
         self.hot["play"] = play
+        if lobby.row and lobby.row <= len(rows):
+            start = left + play[2] + pen.px(20)
+            self._explain(
+                lobby, rows[lobby.row - 1], (start, play[1], left + wide - start, play[3])
+            )
+
+    def _explain(self, lobby: Lobby, row: str, box: Box) -> None:
+        """Say all of what the marked row is about; in the row itself a long one is cut."""
+        pen, (left, top, wide, _) = self.pen, box
+        about = self._told(lobby, row, marked=True)[1]
+        if pen.width(about, 13) < wide // 3:
+            return
+        for number, text in enumerate(pen.wrap(about, wide, 13)[:EXPLAINED]):
+            pen.write(text, (left, top + number * pen.line(13)), TONES["plain"], 13, room=wide)
 
     def _row(self, lobby: Lobby, row: str, box: Box, *, marked: bool) -> None:
         pen, (left, top, wide, high) = self.pen, box

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from engine.app.prediction import Prediction
+    from engine.physics.trace import Trace
     from engine.scene.camera import Camera, Vector
     from engine.scene.scene import Scene
     from engine.stage.stage import Stage
@@ -37,6 +38,8 @@ WHITE = (240, 240, 240)
 BLUE = (110, 170, 255)
 SPARE = 0.006
 """Seconds of a frame that looking at the coming stroke may take."""
+AFTER = 1e-6
+"""Seconds after a stroke at which the table is shown that it leaves."""
 DRAWN_BACK = 0.30
 """How far (m) the cue is drawn back for the hardest stroke."""
 
@@ -77,11 +80,7 @@ class Showing:
     def places(self, session: Session) -> dict[BallId, Vector]:
         """Return the centre of every ball shown, m."""
         if session.is_showing and session.trace is not None:
-            rows = session.trace.positions([max(session.clock, 0.0)])[0]
-            return {
-                ball.id: (float(row[0]), float(row[1]), float(row[2]))
-                for ball, row in zip(session.trace.balls, rows, strict=True)
-            }
+            return _moving(session.trace, session.clock)
         radii = {ball.id: ball.radius for ball in session.variant.world.balls}
         lying = session.layout
         if session.mode in (Mode.OVER, Mode.CHOOSING):
@@ -178,6 +177,17 @@ class Showing:
             self._answer = self._foretelling.answer
             self._table = self._foretelling.session.ahead.rest
             self._foretelling = None
+
+
+def _moving(trace: Trace, clock: float) -> dict[BallId, Vector]:
+    """Return the centres (m) at a moment of a stroke; at its end without what is gone."""
+    is_over = clock >= trace.duration
+    rows = trace.positions([trace.duration + AFTER if is_over else max(clock, 0.0)])[0]
+    return {
+        ball.id: (float(row[0]), float(row[1]), float(row[2]))
+        for ball, row in zip(trace.balls, rows, strict=True)
+        if row[2] > 0.0 or not is_over
+    }
 
 
 def draw_zone(zone: Zone, table: Table, radius: float) -> list[Mesh | Polyline]:

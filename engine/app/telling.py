@@ -8,7 +8,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from engine.app.words import Line, ball_name, capital, cited, next_words, player_name, spoken
+from engine.app.words import (
+    Line,
+    ball_name,
+    capital,
+    cited,
+    counts_points,
+    next_words,
+    player_name,
+    spoken,
+    tracked_words,
+)
 from rulelang.events import LeftTable, PinToppled, Pocketed
 from rulelang.program import by_section
 
@@ -38,6 +48,7 @@ def verdict_lines(variant: Variant, played: Played, names: Sequence[str] = ()) -
             unit = "point" if abs(points) == 1 else "points"
             said = f"{player_name(player, names)}: {points:+d} {unit}"
             lines.append(Line(said, "head"))
+    lines += _counted(variant, played, names)
     lines += _put_back(variant, verdict)
     lines += [Line(one, "faint") for one in _reasons(verdict)]
     lines.append(Line(next_words(variant, after, names), "head"))
@@ -65,6 +76,19 @@ def _happened(variant: Variant, verdict: Verdict) -> list[Line]:
             lines.append(Line(f"{ball_name(variant, event.ball)} left the table"))
     fell = [spoken(event.pin) for event in verdict.events if isinstance(event, PinToppled)]
     return [*lines, Line(capital(f"{', '.join(fell)} fell"))] if fell else lines
+
+
+def _counted(variant: Variant, played: Played, names: Sequence[str]) -> list[Line]:
+    """Return what is new of each player where the game counts no points: lives, groups, fouls."""
+    if counts_points(variant):
+        return []
+    lines = []
+    for player in range(1, played.before.players + 1):
+        before = tracked_words(played.before, player)
+        new = [one for one in tracked_words(played.verdict.after, player) if one not in before]
+        if new:
+            lines.append(Line(f"{player_name(player, names)}: {', '.join(new)}", "head"))
+    return lines
 
 
 def _put_back(variant: Variant, verdict: Verdict) -> list[Line]:

@@ -10,6 +10,8 @@ from enum import Enum
 
 INCH = 0.0254
 MILE_AN_HOUR = 0.44704
+LONG = 3.0
+"""Metres from which a length is told in the greater unit."""
 
 
 class Units(Enum):
@@ -25,7 +27,10 @@ class Units(Enum):
         return f"{metres_a_second:.2f} m/s"
 
     def length(self, metres: float) -> str:
-        """Return a length in words: centimetres or inches."""
+        """Return a length in words: centimetres or inches; metres or feet where it is long."""
+        if metres >= LONG:
+            is_metric = self is not Units.IMPERIAL
+            return f"{metres:.2f} m" if is_metric else f"{metres / (12 * INCH):.1f} ft"
         if self is Units.IMPERIAL:
             return f"{metres / INCH:.2f} in"
         return f"{100.0 * metres:.1f} cm"

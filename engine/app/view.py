@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from engine.game.situation import cue_ball_of
 from engine.scene.camera import ground_point, orbit, ray
-from engine.stage.cameras import above_camera, cue_camera, orbit_camera
+from engine.stage.cameras import above_camera, cue_camera, orbit_camera, orbit_distance
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -75,8 +75,8 @@ def camera_of(
         near = 1.0 / view.zoom
         return cue_camera(table, ball, heading, back=0.85 * near, height=0.42 * near**0.7)
     if view.camera == "orbit":
-        away = (1.22 * table.length + 0.4) / view.zoom
-        return orbit_camera(table, view.azimuth, view.elevation, away)
+        away = orbit_distance(table, view.azimuth, view.elevation, size[0] / size[1])
+        return orbit_camera(table, view.azimuth, view.elevation, away / view.zoom)
     if view.camera == "follow":
         x, y = followed or ball or (0.0, 0.0)
         return orbit((x, y, 0.0), view.azimuth, view.elevation, 1.7 / view.zoom, radians(42.0))

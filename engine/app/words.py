@@ -6,6 +6,7 @@ hyphens read as spaces; the sentences about them are in board, telling, choices 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -51,6 +52,33 @@ def player_name(player: int, names: Sequence[str] = ()) -> str:
     """Return what a player is called: by his name where he has one."""
     own = names[player - 1] if 0 < player <= len(names) else ""
     return own or f"Player {player}"
+
+
+def tracked_words(situation: Situation, player: int) -> list[str]:
+    """Return what the game tracks of a player, as far as there is anything to tell."""
+    said = []
+    for name, value in situation.state.items():
+        if isinstance(value, tuple) and len(value) == situation.players:
+            own = value[player - 1]
+            if own not in (False, 0, "none", "", None):
+                said.append(spoken(name) if own is True else f"{spoken(name)}: {spoken(str(own))}")
+    return [*said, "out"] if player in situation.eliminated else said
+
+
+def turn_words(variant: Variant, situation: Situation) -> list[str]:
+    """Return the numbers that the game counts for the turn, as far as they are not 0."""
+    counted = [one.name for one in variant.program.tracked.values() if one.scope == "turn"]
+    values = {name: situation.state.get(name) for name in counted}
+    return [
+        f"{spoken(name)}: {value}"
+        for name, value in values.items()
+        if isinstance(value, int) and not isinstance(value, bool) and value
+    ]
+
+
+def counts_points(variant: Variant) -> bool:
+    """Whether any rule of the game gives or takes points."""
+    return any(re.search(r"\b(award|deduct)\b", rule.text) for rule in variant.program.rules)
 
 
 def named_balls(variant: Variant, balls: Iterable[BallId], among: Iterable[BallId]) -> str:

@@ -13,13 +13,13 @@ def wanted(*whats, player=1):
     ("whats", "words", "obliged"),
     [
         ((), "", False),
-        (("ball",), "ball", True),
-        (("ball and pocket",), "ball and pocket", True),
-        (("ball and pocket or safety",), "ball and pocket or a safety", True),
+        (("ball",), "a ball", True),
+        (("ball and pocket",), "a ball and a pocket", True),
+        (("ball and pocket or safety",), "a ball and a pocket, or a safety", True),
         (("may group",), "a group", False),
         (
             ("ball and pocket or safety", "may group"),
-            "ball and pocket or a safety, if you like a group",
+            "a ball and a pocket, or a safety, if you like a group",
             True,
         ),
     ],

@@ -151,7 +151,7 @@ def test_how_far_a_ball_rolls_is_told(start):
     world = start("nine_ball").variant.world
     far = 2.0**2 / (2.0 * world.cloth.rolling * world.cloth.gravity)
     assert Units.METRIC.length(far) in roll_words(world, Units.METRIC)
-    assert "in" in roll_words(world, Units.IMPERIAL)
+    assert "ft" in roll_words(world, Units.IMPERIAL)
 
 
 def test_time_goes_on_after_a_shot_was_judged_again(missed):

@@ -151,7 +151,7 @@ def test_a_missing_call_is_asked_for_and_not_let_through(start):
     assert (session.wanted.ball, session.wanted.pocket, session.wanted.safety) == (True,) * 3
     refused = do(session, commands.Confirm())
     assert refused.mode is Mode.CALLING
-    assert "ball and pocket or a safety" in refused.note
+    assert "a ball and a pocket, or a safety" in refused.note
 
 
 def test_a_call_is_made_by_steps_and_replaced_by_a_safety(start):
