@@ -18,6 +18,7 @@ from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING
 
+from tools.scripted import FOULS_AT
 from tools.scripted.display import DISPLAYS, VIRTUAL, display
 
 if TYPE_CHECKING:
@@ -52,11 +53,18 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--out", type=Path, required=True, help="folder for pictures and logs")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
     parser.add_argument("--players", type=int)
+    parser.add_argument("--name", action="append", default=[], help="of each player in turn")
+    parser.add_argument(
+        "--tell", action="append", default=[], metavar="FACT@STROKE", help="what an eye saw"
+    )
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--rate", type=int, default=200)
     parser.add_argument("--tries", type=int, default=140, help="strokes thought of for each played")
     parser.add_argument("--most", type=int, default=400, help="give up after so many strokes")
+    fouls = ",".join(map(str, FOULS_AT))
+    parser.add_argument("--fouls", default=fouls, help="strokes that are meant to go wrong")
     parser.add_argument("--rounds", type=int, default=2, help="games of a match without an end")
+    parser.add_argument("--kept", action="store_true", help="go on with the newest match kept")
     parser.add_argument("--keyboard", action="store_true", help="the mouse is not touched")
     parser.add_argument("--display", choices=DISPLAYS, default=VIRTUAL)
     parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
@@ -69,7 +77,8 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _play(asked: argparse.Namespace, game: str, size: tuple[int, int]) -> int:
-    from engine.app.play import read_value, run  # noqa: PLC0415  the window's process
+    from engine.app.lobby import NAME  # noqa: PLC0415  the window's process
+    from engine.app.play import read_value, run  # noqa: PLC0415
     from engine.app.settings import Settings  # noqa: PLC0415
     from engine.variant.load import load_variant  # noqa: PLC0415
     from tools.scripted.player import Player  # noqa: PLC0415
@@ -83,6 +92,9 @@ def _play(asked: argparse.Namespace, game: str, size: tuple[int, int]) -> int:
     }
     if asked.players is not None:
         wanted = {"players": asked.players, **wanted}
+    wanted |= {f"{NAME}{place}": name for place, name in enumerate(asked.name, start=1)}
+    wanted |= {"match": 1} if asked.kept else {}
+    tells = {int(at): fact for fact, _, at in (one.partition("@") for one in asked.tell)}
     out = asked.out / game
     out.mkdir(parents=True, exist_ok=True)
     player = Player(
@@ -91,7 +103,9 @@ def _play(asked: argparse.Namespace, game: str, size: tuple[int, int]) -> int:
         asked.most,
         asked.tries,
         keyboard=asked.keyboard,
+        fouls_at=tuple(map(int, asked.fouls.split(","))),
         most_games=asked.rounds,
+        tells=tells,
     )
     settings = Settings(width=size[0], height=size[1], rate=asked.rate)
     run(None, settings, each=player.each, greet=partial(player.greet, name=game, wanted=wanted))

@@ -5,6 +5,7 @@ One idea: what takes several frames is a generator that yields once a frame.
 
 from __future__ import annotations
 
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from tools.aimer import FINE
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
 def pause(frames: int) -> Iterator[None]:
     """Let frames pass."""
     for _ in range(frames):
+        yield
+
+
+def settle() -> Iterator[None]:
+    """Wait until the camera has come to rest."""
+    until = monotonic() + 0.7
+    while monotonic() < until:
         yield
 
 
@@ -44,6 +52,15 @@ def type_text(text: str) -> Iterator[None]:
     """Type letters one by one."""
     for letter in text:
         yield from press("space" if letter == " " else letter)
+
+
+def type_name(name: str) -> Iterator[None]:
+    """Type a name, capitals and all, as the keyboard's layout has it."""
+    import pygame  # noqa: PLC0415
+
+    for letter in name:
+        pygame.event.post(pygame.event.Event(pygame.TEXTINPUT, text=letter))
+        yield
 
 
 def drag_ball(loop: Loop, lot: Random) -> Iterator[None]:

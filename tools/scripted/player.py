@@ -6,13 +6,26 @@ it key by key, so that a whole game proves the window, the controls and the rule
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from engine.app.judging import facts_of
+from engine.app.lobby import NAME
 from engine.app.pages import MENU
 from engine.app.session import Mode
 from tools.aimer import Plan, find_plan
-from tools.scripted.hands import announce, drag_ball, pause, press, set_stroke, type_text
+from tools.scripted import FOULS_AT
+from tools.scripted.hands import (
+    announce,
+    drag_ball,
+    pause,
+    press,
+    set_stroke,
+    settle,
+    type_name,
+    type_text,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -23,8 +36,8 @@ if TYPE_CHECKING:
     from engine.app.loop import Loop
     from engine.variant.variant import Value
 
-FOULS_AT = (1, 5, 12)
-"""Strokes that are meant to go wrong."""
+OF_A_KIND = 12
+"""Pictures of one screen in a match."""
 
 
 @dataclass(slots=True)
@@ -33,7 +46,8 @@ class Player:
 
     It ends with the match, or after `most_games` of it, and gives up after `most` strokes, each the
     best of `tries`. With `keyboard` no mouse is used,
-    without `looks` nothing is saved and every page stays shut.
+    without `looks` nothing is saved and every page stays shut. `tells` are facts that an eye sees
+    of a stroke, by the stroke's number; they are set on the page for them.
     """
 
     out: Path
@@ -44,8 +58,10 @@ class Player:
     keyboard: bool = False
     looks: bool = True
     most_games: int = 1
+    tells: Mapping[int, str] = field(default_factory=dict)
     log: list[str] = field(default_factory=list)
     pictures: list[Path] = field(default_factory=list)
+    saved: Counter[str] = field(default_factory=Counter)
     taken: dict[tuple[str, ...], int] = field(default_factory=dict)
     finished: bool = False
     strokes: int = 0
@@ -63,7 +79,9 @@ class Player:
     def _choose_game(
         self, reception: Reception, name: str, wanted: Mapping[str, Value]
     ) -> Iterator[None]:
-        yield from pause(2)
+        while reception.lobby.card is None:
+            yield
+        yield
         self._picture(reception, "start")
         titles = {one.name: one.title for one in reception.lobby.entries}
         yield from type_text(titles[name].lower())
@@ -71,11 +89,16 @@ class Player:
             yield from press("down")
         while reception.lobby.card is None:
             yield
+        yield
         self._picture(reception, "found")
         for row, value in wanted.items():
             while reception.lobby.rows[reception.lobby.row] != row:
                 yield from press("tab")
-            yield from self._turn_to(reception, row, value)
+            if row.startswith(NAME):
+                yield from type_name(str(value))
+                yield
+            else:
+                yield from self._turn_to(reception, row, value)
         self._picture(reception, "set")
         yield from press("return")
 
@@ -110,7 +133,7 @@ class Player:
                 self._picture(loop, "game-over")
                 yield from press("n")
             yield from self._one(loop)
-        yield from pause(2)
+        yield from settle()
         self._say("over: " + ", ".join(map(str, loop.session.match.situation.scores)))
         self._picture(loop, "end")
         yield from press("h")
@@ -133,6 +156,7 @@ class Player:
     def _tour(self, loop: Loop) -> Iterator[None]:
         """Look at the table in every manner, and at the pages."""
         for camera in ("above", "orbit", "cue"):
+            yield from settle()
             for key, name in (("1", "wireframe"), ("2", "painter"), ("3", "scanline")):
                 yield from press(key)
                 while name not in loop.startup.renderers:
@@ -140,13 +164,17 @@ class Player:
                 yield
                 self._picture(loop, f"{camera}-{name}")
             yield from press("c")
-        for key, name in (("f1", "keys"), ("escape", "menu")):
+        yield from press("f4")
+        self._picture(loop, "letters")
+        yield from press("f4")
+        for _ in range(4):
+            yield from press("f3")
+            self._picture(loop, "text-size")
+        pages = {"f1": "keys", "escape": "menu", "f2": "rules", "f10": "cloth"}
+        for key, name in pages.items():
             yield from press(key)
             self._picture(loop, name)
             yield from press("escape")
-        yield from press("f2")
-        self._picture(loop, "rules")
-        yield from press("escape")
 
     def _one(self, loop: Loop) -> Iterator[None]:
         session = loop.session
@@ -171,6 +199,7 @@ class Player:
         count = self.taken.get(options, 0)
         self.taken[options] = count + 1
         index = max(len(options) - 1 - count, 0)
+        yield from self._wait("choose")
         self._picture(loop, "choose")
         self._say(f"  player {loop.session.shown.shooter} chooses {options[index]} of {options}")
         for _ in range((index - loop.session.picked) % len(options)):
@@ -178,6 +207,7 @@ class Player:
         yield from press("return")
 
     def _place(self, loop: Loop) -> Iterator[None]:
+        yield from self._wait("place")
         self._picture(loop, "place")
         for key in ("left", "up"):
             yield from press(key, times=2)
@@ -190,6 +220,7 @@ class Player:
         self.plan = self._think(loop)
         self._picture(loop, "call")
         yield from announce(loop, self.plan.call)
+        yield from self._wait("called")
         self._picture(loop, "called")
         yield from press("return")
         yield from self._strike(loop)
@@ -235,10 +266,23 @@ class Player:
         )
         if verdict.is_foul or self.strokes < 4 or verdict.after.offers or self.strokes % 10 == 0:
             self._picture(loop, "verdict")
+        if self.strokes in self.tells:
+            yield from self._tell(loop, self.tells[self.strokes])
         if self.strokes == 3 or (not self.looks and self.lot.random() < 0.1):
             yield from self._look_again(loop)
         if loop.session.mode is Mode.VERDICT:
             yield from press("return")
+
+    def _tell(self, loop: Loop, fact: str) -> Iterator[None]:
+        """Say that an eye saw it of the stroke played last."""
+        names = [one.name for one in facts_of(loop.session)]
+        yield from press("z")
+        yield from press("down", times=names.index(fact))
+        yield from press("right")
+        self._picture(loop, "seen")
+        yield from press("return")
+        self._say(f"  {fact}: {loop.session.note}")
+        self._picture(loop, "judged-again")
 
     def _look_again(self, loop: Loop) -> Iterator[None]:
         """Use the keys around a shot once: why, save, replay, undo and redo."""
@@ -264,6 +308,11 @@ class Player:
         yield from press("return")
         yield from pause(5)
 
+    def _wait(self, name: str) -> Iterator[None]:
+        """Let the camera come to rest, where the first pictures of a screen are made."""
+        if self.looks and self.saved[name] < OF_A_KIND // 3:
+            yield from settle()
+
     def _say(self, text: str) -> None:
         self.log.append(text)
         if self.looks:
@@ -272,9 +321,9 @@ class Player:
     def _picture(self, shown: Loop | Reception, name: str) -> None:
         import pygame  # noqa: PLC0415  only in the window's process
 
-        if not self.looks:
+        self.saved[name] += 1
+        if not self.looks or self.saved[name] > OF_A_KIND:
             return
-
         path = self.out / f"{len(self.pictures):03}-{name}.png"
         pygame.image.save(shown.window.surface, path)
         self.pictures.append(path)
