@@ -18,7 +18,7 @@ from engine.scene.shape import make_mesh
 from engine.stage import plan
 from engine.stage.bed import flat_sheet
 from engine.stage.dimensions import APRON
-from engine.stage.region import stations
+from engine.stage.region import convex_pieces, stations, tidy
 
 if TYPE_CHECKING:
     from engine.scene.camera import Camera
@@ -85,20 +85,34 @@ def _mixed(a: Rgb, b: Rgb, share: float) -> Rgb:
     return red, green, blue
 
 
-def build_shadow(frame: Frame) -> list[Mesh]:
+def build_shadow(table: Table, frame: Frame) -> list[Mesh]:
     """Return the table's shadow on the floor, as tints in rings that touch, without edges."""
-    x, y = frame.outer
-    reaches = [(reach, dark) for reach, dark in SHADOW if reach > 0.1 - min(x, y)]
-    borders = [plan.rectangle(-x - r, -y - r, x + r, y + r) for r, _ in reaches]
-    sheets = [flat_sheet([borders[0]], FLOOR, BLACK, layer=0, alpha=reaches[0][1])]
-    for (inner, outer), (_, dark) in zip(pairwise(borders), reaches[1:], strict=True):
-        ring = [[outer[k - 1], outer[k], inner[k], inner[k - 1]] for k in range(4)]
-        sheets.append(flat_sheet(ring, FLOOR, BLACK, layer=0, alpha=dark))
+    shadow = [(reach, dark) for reach, dark in SHADOW if reach > 0.1 - min(frame.outer)]
+    borders = [_border(table, frame, reach) for reach, _ in shadow]
+    parts = [convex_pieces(tidy(borders[0]))]
+    for inner, outer in pairwise(borders):
+        ring = [tidy([outer[k - 1], outer[k], inner[k], inner[k - 1]]) for k in range(len(inner))]
+        parts.append([part for part in ring if part])
+    sheets = [
+        flat_sheet(part, FLOOR, BLACK, layer=0, alpha=dark)
+        for part, (_, dark) in zip(parts, shadow, strict=True)
+    ]
     return [replace(sheet, edges=sheet.edges[:0]) for sheet in sheets]
 
 
+def _border(table: Table, frame: Frame, reach: float) -> plan.Polygon:
+    """Return the line so far (m) beyond the edge of a table."""
+    if table.outline:
+        return [one.behind(frame.rail + reach) for one in stations(table.outline)]
+    x, y = frame.outer
+    return plan.rectangle(-x - reach, -y - reach, x + reach, y + reach)
+
+
 def build_legs(table: Table, frame: Frame, wood: Rgb) -> list[Mesh]:
-    """Return the legs, square and tapering, down to the floor."""
+    """Return the legs, square and tapering, down to the floor.
+
+    They have no edges: lines alone would show them through the bed.
+    """
     return [_leg(place, wood) for place in leg_places(table, frame)]
 
 
@@ -132,4 +146,5 @@ def _leg(place: Point, wood: Rgb) -> Mesh:
     points = [(*corner, height) for corner, height in rings]
     sides = [(k, 4 + k, 4 + (k + 1) % 4, (k + 1) % 4) for k in range(4)]
     hidden = [(0, 1, 2, 3), (7, 6, 5, 4)]
-    return make_mesh(np.array(points), sides, wood, hidden=hidden, layer=0, gloss=0.2)
+    leg = make_mesh(np.array(points), sides, wood, hidden=hidden, layer=0, gloss=0.2)
+    return replace(leg, edges=leg.edges[:0])

@@ -55,7 +55,7 @@ def _with_jaws(table: Table, nose: list[Point]) -> list[tuple[Point, float]]:
     before: list[tuple[Point, float]] = []
     after: list[tuple[Point, float]] = []
     for jaw in table.jaws:
-        points = plan.trace_shapes(jaw.shapes, 0.2)
+        points = plan.trace_shapes(jaw.shapes, 0.5)
         shares = [k / (len(points) - 1) for k in range(len(points))]
         if _same(points[-1], nose[0]):
             before = list(zip(points, shares, strict=True))[:-1]

@@ -176,7 +176,7 @@ def _furniture(table: Table, frame: Frame, look: Look) -> tuple[Mesh | Polyline,
     liner = _mix(look.pocket, (58, 54, 50), 0.35)
     rubber = _mix(look.cloth, (255, 255, 255), 0.07)
     return (
-        *build_shadow(frame),
+        *build_shadow(table, frame),
         *build_legs(table, frame, toned(look.rail, 1.2)),
         *(build_pocket(pocket, look.pocket) for pocket in table.pockets),
         build_bed(table, frame, look.cloth),

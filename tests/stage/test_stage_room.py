@@ -92,8 +92,8 @@ def test_legs_of_any_outline_stand_under_its_bed(name):
 
 @pytest.mark.parametrize("table", TABLES)
 def test_the_shadow_fills_its_border_once_and_fades_outwards(table):
-    frame = measure(TABLES[table]())
-    sheets = build_shadow(frame)
+    furniture = TABLES[table]()
+    sheets = build_shadow(furniture, measure(furniture))
     area = 0.0
     for sheet in sheets:
         corners = sheet.positions[sheet.triangles].astype(float)
@@ -106,6 +106,29 @@ def test_the_shadow_fills_its_border_once_and_fades_outwards(table):
     darkness = [sheet.alpha for sheet in sheets]
     assert darkness == sorted(darkness, reverse=True)
     assert darkness[-1] < 0.15
+
+
+def test_the_shadow_of_an_outline_follows_it():
+    draft, _ = read_draft(OUTLINES / "ell.toml")
+    table = draft.world.table
+    frame = measure(table)
+    darkest = build_shadow(table, frame)[0].positions[:, :2]
+    x, y = frame.outer
+    notch = [
+        (a * x, b * y)
+        for a in (-0.97, 0.97)
+        for b in (-0.97, 0.97)
+        if np.hypot(*(darkest - (a * x, b * y)).T).min() > 0.4
+    ]
+    assert len(notch) == 1
+
+
+def test_lines_alone_show_neither_legs_nor_shadow_through_the_bed():
+    table = TABLES["pockets"]()
+    frame = measure(table)
+    for mesh in (*build_legs(table, frame, WOOD), *build_shadow(table, frame)):
+        assert len(mesh.triangles)
+        assert not len(mesh.edges)
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (600, 900)])
@@ -143,4 +166,4 @@ def test_a_resting_camera_asks_for_the_same_backdrop():
 
 def test_the_table_of_the_speed_tables_has_few_triangles():
     furniture = TableScene().stage.furniture
-    assert sum(len(m.triangles) for m in furniture.shapes if isinstance(m, Mesh)) < 4600
+    assert sum(len(m.triangles) for m in furniture.shapes if isinstance(m, Mesh)) < 4650
