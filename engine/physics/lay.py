@@ -37,14 +37,15 @@ def place_balls(world: Packed, layout: Layout) -> tuple[tuple[Ball, ...], NDArra
         )
         raise ValueError(message) from None
     balls = tuple([known[i] for i in chosen])
-    rows = world.rows.take(chosen, axis=0)
+    whole = len(chosen) == len(known)
+    rows = world.rows.copy() if whole else world.rows.take(chosen, axis=0)
     if len(balls) > FEW:
         rows[:, state.X : state.Y + 1] = [layout[ball.id] for ball in balls]
         _check_places(balls, rows)
     else:
         places = [layout[ball.id] for ball in balls]
-        for row, (x, y) in zip(rows, places, strict=True):
-            row[state.X], row[state.Y] = x, y
+        for i, (x, y) in enumerate(places):
+            rows[i, state.X], rows[i, state.Y] = x, y
         _check_few(balls, places)
     return balls, rows
 
@@ -54,13 +55,15 @@ FEW = 4
 
 
 def _check_few(balls: tuple[Ball, ...], places: list[Point]) -> None:
-    for i, ((x, y), ball) in enumerate(zip(places, balls, strict=True)):
+    for i, (x, y) in enumerate(places):
         if not isfinite(x + y):
             raise ValueError("a ball's place must be two finite numbers")
-        for (u, v), other in zip(places[:i], balls[:i], strict=True):
-            need = 2.0 * sqrt(ball.radius * other.radius) - OVERLAP
-            if (x - u) ** 2 + (y - v) ** 2 < need * need:
-                message = f"balls overlap: {other.id} and {ball.id}"
+        for k in range(i):
+            u, v = places[k]
+            dx, dy = x - u, y - v
+            need = 2.0 * sqrt(balls[i].radius * balls[k].radius) - OVERLAP
+            if dx * dx + dy * dy < need * need:
+                message = f"balls overlap: {balls[k].id} and {balls[i].id}"
                 raise ValueError(message)
 
 

@@ -218,11 +218,9 @@ class Simulation:
 
     def _arranged(self, now: float) -> Floats:
         """Return all pieces (m, 17) by ball and time, those that have not ended cut off `now`."""
-        from engine.physics.record import arrange  # noqa: PLC0415  numba
-
         closed = int(self._counts[state.PIECES])
         out = np.empty((closed + len(self._rows), state.PIECE_WIDTH))
-        count = arrange(self._rows, self._kinds, self._pieces, self._counts, now, out)
+        count = _arrange()(self._rows, self._kinds, self._pieces, self._counts, now, out)
         return out[:count]
 
 
@@ -269,6 +267,14 @@ def _fixed() -> Callable[..., int]:
     from engine.physics.fixed import run_fixed  # noqa: PLC0415  numba
 
     return run_fixed
+
+
+@cache
+def _arrange() -> Callable[..., int]:
+    """Return the kernel that puts the pieces in order; an import each shot would cost more."""
+    from engine.physics.record import arrange  # noqa: PLC0415  numba
+
+    return arrange
 
 
 @cache

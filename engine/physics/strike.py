@@ -95,8 +95,8 @@ def tip_blow(ball: Ball, cue: Cue, strike: Strike) -> Motion:
 
 
 def _check(strike: Strike) -> None:
-    values = (strike.speed, strike.heading, strike.elevation, strike.side, strike.follow)
-    if not all(isfinite(value) for value in values) or strike.speed < 0.0:
+    total = strike.speed + strike.heading + strike.elevation + strike.side + strike.follow
+    if not isfinite(total) or strike.speed < 0.0:
         message = f"a strike needs finite numbers and no negative speed: {strike}"
         raise ValueError(message)
     if hypot(strike.side, strike.follow) >= 1.0:
