@@ -91,7 +91,7 @@ def tip_blow(ball: Ball, cue: Cue, strike: Strike) -> Motion:
     c, s = cos(strike.heading), sin(strike.heading)
     # the cue's right-hand side is (sin, -cos); follow turns the ball about its left-hand side
     spin = (ahead * c + right * s, ahead * s - right * c, up)
-    return Motion(velocity, spin, -speed * down)
+    return Motion(velocity, spin, 0.0 - speed * down)
 
 
 def _check(strike: Strike) -> None:
@@ -109,6 +109,8 @@ def _check(strike: Strike) -> None:
 
 def _press(ball: Ball, cloth: Cloth, given: Motion, *, flies: bool) -> Motion:
     """Return the motion after the bed has answered the downward speed."""
+    if given.rise == 0.0:
+        return given
     pressed, velocity, spin = -given.rise, given.velocity, given.spin
     rise = cloth.bounce * pressed if flies else 0.0
     if rise * rise <= 2.0 * cloth.gravity * HOP:
@@ -118,7 +120,7 @@ def _press(ball: Ball, cloth: Cloth, given: Motion, *, flies: bool) -> Motion:
         velocity[1] + ball.radius * spin[0],
     )
     total = hypot(*slip)
-    if total == 0.0 or pressed <= 0.0:
+    if total == 0.0:
         return Motion(velocity, spin, rise)
     sliding = cloth.sliding if ball.sliding is None else ball.sliding
     change = min(sliding * (pressed + rise), total / 3.5)
