@@ -79,7 +79,7 @@ class Board:
     call: str
     own_time: tuple[TimeLine, ...] = ()
     time: tuple[TimeLine, ...] = ()
-    turn: str = ""
+    turn: tuple[str, ...] = ()
 
 
 def board_of(session: Session, units: Units = Units.METRIC) -> Board:
@@ -103,7 +103,7 @@ def board_of(session: Session, units: Units = Units.METRIC) -> Board:
         call=call_words(session.call) if before else "",
         own_time=time_lines(session, ("shot", "turn")) if before else (),
         time=() if now.over else time_lines(session, ("game", "match")),
-        turn="" if now.over else ", ".join(turn_words(variant, now)),
+        turn=() if now.over else tuple(turn_words(variant, now)),
     )
 
 

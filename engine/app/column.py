@@ -85,7 +85,8 @@ def draw_column(
         _draw_on(column, session, board, letters=letters)
     if board.turn:
         column.line("this turn", FAINT, 14)
-        column.text(board.turn, TONES["plain"], 16, 3)
+        for counted in board.turn:
+            column.line(counted, TONES["plain"], 16)
         column.rule()
     played = session.match.played
     if session.mode in SHOWING and session.back_to is None:

@@ -81,7 +81,8 @@ def _offered(session: Session) -> list[tuple[str, str]]:
         case Mode.VERDICT:
             return [("Go on", "confirm"), why, ("Replay", "replay"), ("Save", "save"), undo]
         case Mode.OVER:
-            return [("Next game", "next"), why, ("Replay", "replay"), ("Save", "save"), undo]
+            after = "New match" if session.match.situation.match_over else "Next game"
+            return [(after, "next"), why, ("Replay", "replay"), ("Save", "save"), undo]
         case Mode.ARRANGING:
             return [("Play from here", "confirm"), ("Other ball", "ball"), ("Off / on", "take-off")]
 

@@ -101,13 +101,14 @@ def _put_back(variant: Variant, verdict: Verdict) -> list[Line]:
 
 def _reasons(verdict: Verdict) -> list[str]:
     """Return the rules that decided, fouls apart: they are told already."""
-    return [
+    told = [
         f"{one.rule}{cited(one.cites)}"
         for one in verdict.explanation
         if one.outcome == "fired"
         and one.section not in ("fouls", "before shot")
         and any(not said.startswith(BOOKKEEPING) for said in one.said)
     ]
+    return list(dict.fromkeys(told))
 
 
 BOOKKEEPING = ("reset ", "set ", "add ", "nothing")

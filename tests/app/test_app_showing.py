@@ -9,6 +9,8 @@ import pytest
 
 from engine.app import commands
 from engine.app.board import board_of
+from engine.app.keymap import Keymap
+from engine.app.prompts import buttons_of
 from engine.app.session import Mode
 from engine.app.showing import Showing
 from engine.app.steps import act
@@ -74,8 +76,37 @@ def test_a_life_that_is_lost_is_told_where_no_points_are_counted(start):
     assert not any(text.startswith("Bo:") for text in said)
 
 
+def test_after_a_match_a_new_one_begins(start):
+    session = replace(start("five_pins", **{"sets-to-win": 1}), mode=Mode.OVER)
+    assert buttons_of(session, Keymap())[0].text == "Next game"
+    over = replace(session.match.situation, match_over=True)
+    session = replace(session, match=replace(session.match, situation=over))
+    assert buttons_of(session, Keymap())[0].text == "New match"
+
+
+def test_rules_of_one_name_are_told_once(start):
+    session = _broken(start("free_pyramid"))
+    for command in (commands.Confirm(), commands.Choose(1), commands.Confirm()):
+        session = act(session, command)
+    session = _broken(session)
+    said = [line.text for line in verdict_lines(session.variant, session.last)]
+    assert len(said) == len(set(said))
+
+
+def _broken(session):
+    """Return the session after a feeble break."""
+    for command in (
+        commands.Confirm(),
+        commands.SetSpeed(1.0),
+        commands.Confirm(),
+        commands.Skip(),
+    ):
+        session = act(session, command)
+    return session
+
+
 def test_what_is_counted_for_the_turn_is_told(start):
     session = start("bar_billiards")
     now = replace(session.ahead, state={**session.ahead.state, "break-points": 150})
     session = replace(session, match=replace(session.match, situation=now), ahead=now)
-    assert board_of(session).turn == "break points: 150"
+    assert board_of(session).turn == ("break points: 150",)
