@@ -188,13 +188,21 @@ def _part(
     balls[i, Y] -= push * dy
     balls[j, X] += push * dx
     balls[j, Y] += push * dy
-    speed = closing_speed(balls[i], balls[j])
-    if speed > 0.0:
-        first, second = faster_first(balls, i, j)
-        strike_apart(balls[i], balls[j], world)
-        note(events, counts, TOUCHING, now, first, float(second), speed)
+    _collide(balls, world, events, counts, i, j, now)
     restart(balls, kinds, world, events, counts, i, now)
     restart(balls, kinds, world, events, counts, j, now)
+
+
+@kernel
+def _collide(
+    balls: Floats, world: Floats, events: Floats, counts: Ints, one: int, two: int, now: float
+) -> None:
+    """Resolve the blow of two balls that touch and approach, and note it."""
+    speed = closing_speed(balls[one], balls[two])
+    if speed > 0.0:
+        first, second = faster_first(balls, one, two)
+        strike_apart(balls[one], balls[two], world)
+        note(events, counts, TOUCHING, now, first, float(second), speed)
 
 
 @kernel
@@ -323,11 +331,7 @@ def _hit(
         note(events, counts, NOSE, t, i, float(nose), bounce(balls[i], world, noses[nose], ix, iy))
     else:
         move(balls, kinds, pieces, counts, other, at[other])
-        speed = closing_speed(balls[i], balls[other])
-        if speed > 0.0:
-            first, second = faster_first(balls, i, other)
-            strike_apart(balls[i], balls[other], world)
-            note(events, counts, TOUCHING, t, first, float(second), speed)
+        _collide(balls, world, events, counts, i, other, t)
         restart(balls, kinds, world, events, counts, other, at[other])
     restart(balls, kinds, world, events, counts, i, t)
 
