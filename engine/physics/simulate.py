@@ -7,7 +7,6 @@ input, same bits, whatever the chunks. The kernels are loaded on first use, not 
 
 from __future__ import annotations
 
-from contextlib import suppress
 from functools import cache
 from math import inf
 from pathlib import Path
@@ -225,6 +224,7 @@ class Simulation:
 
 
 SPARE, LARGEST = 4, 4096
+NO_ROWS = np.empty((0, state.PIECE_WIDTH)), np.empty((0, state.EVENT_WIDTH))
 _spare: list[tuple[Floats, Floats]] = []
 """Rows for pieces and events that shots are done with; fresh ones cost more than a small shot."""
 
@@ -232,10 +232,12 @@ _spare: list[tuple[Floats, Floats]] = []
 def _buffers(balls: int) -> tuple[Floats, Floats]:
     """Return rows for the pieces and the events of a shot of so many balls, with no values yet."""
     rows = 2 * balls * balls + 256
-    with suppress(IndexError):
+    try:
         pieces, events = _spare.pop()
-        if len(pieces) >= rows and len(events) >= rows:
-            return pieces, events
+    except IndexError:
+        pieces, events = NO_ROWS
+    if len(pieces) >= rows and len(events) >= rows:
+        return pieces, events
     return np.empty((rows, state.PIECE_WIDTH)), np.empty((rows, state.EVENT_WIDTH))
 
 
