@@ -20,20 +20,16 @@ from rulelang.meaning import check_meaning
 from rulelang.parse import MOST_TOLD, parse
 from rulelang.program import (
     ANNOUNCED,
-    CONSEQUENCE,
     SECTIONS,
-    STAGE,
     CompiledRule,
     Consequence,
     Program,
-    RuleInfo,
 )
-from rulelang.signs import UNKNOWN, Signs, of_all
+from rulelang.ruling import book_of, compiled_rule
 from rulelang.statements import Statements
 from rulelang.syntax import walk
-from rulelang.telling import in_phases
 from rulelang.timers import home_of, parted
-from rulelang.where import head_of, narrowed, span_of
+from rulelang.where import head_of, narrowed
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -266,35 +262,8 @@ class _Work:
             self.blame(scope, script, trouble)
         if statements.troubles:
             raise statements.troubles[0]
-        end = rule.body[-1].at.end
-        text = script.source[rule.at.start : end].strip()
-        name = rule.name or " ".join(text.split())[:60]
-        cites = cited(rule.cites, book_of(script), book_of(self.scripts[-1]))
-        info = RuleInfo(name, section, cites, text, script.file, rule.at.line)
-        stage = STAGE.get(section, CONSEQUENCE)
-        for made in statements.codes:
-            if made.since > stage:
-                message = f"`{made.text}` is decided later than in `{section}:`"
-                at = span_of(script.source, made.text, rule.at)
-                raise Mistake("R402", at, message, "read it in a later section")
-        alone = len(rule.body) == 1
-        guard, signs = (statements.guard, statements.signs) if alone else (None, UNKNOWN)
-        if rule.phases:
-            signs = of_all([Signs(phases=frozenset(rule.phases)), signs])
-        compiled = CompiledRule(
-            number,
-            info,
-            stage,
-            _plain(run) if guard is None else _guarded(guard[0].truth, guard[1]),
-            statements.late or (section == "game end" and _ends(rule.body)),
-            (),
-            in_phases(rule.phases, tuple(statements.outline)),
-            signs.all | signs.none,
-            signs.all,
-            signs.any,
-            signs.phases,
-        )
-        return compiled, statements.codes
+        game_book = book_of(self.scripts[-1])
+        return compiled_rule(script, rule, statements, run, game_book), statements.codes
 
     def program(
         self,
@@ -350,20 +319,6 @@ class _Work:
         )
 
 
-def book_of(script: s.Script) -> str:
-    """Return the rulebook whose sections the rules of a script cite, "" where it names none."""
-    headers = [one for one in script.declarations if isinstance(one, s.Header)]
-    named = [one.text for one in headers if one.word in ("cites", "book")]
-    return named[-1] if named else ""
-
-
-def cited(sections: tuple[str, ...], book: str, main: str) -> tuple[str, ...]:
-    """Return sections with the name of their book, where it is not the game's own."""
-    if not book or book == main:
-        return sections
-    return tuple(f"{book} {section}" for section in sections)
-
-
 def with_overrides(rules: list[Ruled]) -> list[CompiledRule]:
     """Return the compiled rules, each with the numbers of the rules it overrides."""
     numbers: dict[str, list[int]] = {}
@@ -383,32 +338,9 @@ def fouls_of(body: tuple[Any, ...]) -> list[str]:
     return [node.name for node in walk(body) if isinstance(node, s.Foul)]
 
 
-def _ends(body: tuple[Any, ...]) -> bool:
-    """Tell whether a body may end something."""
-    return any(isinstance(node, s.Win) for node in s.walk(body))
-
-
 def _announces(body: tuple[Any, ...]) -> bool:
     """Tell whether a body may offer something, or let balls be struck."""
     return any(isinstance(node, s.OfferChoices | s.AllowStrike) for node in s.walk(body))
-
-
-def _plain(run: Any) -> Any:
-    def fire(c: Any) -> list[Any] | None:
-        out: list[Any] = []
-        return out if run(c, out) else None
-
-    return fire
-
-
-def _guarded(test: Any, body: Any) -> Any:
-    def fire(c: Any) -> list[Any] | None:
-        if not test(c):
-            return None
-        out: list[Any] = []
-        return out if body(c, out) else None
-
-    return fire
 
 
 def _by_phase(
