@@ -15,6 +15,7 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 from engine.geometry.kernel import kernel
+from engine.physics.frame import enter
 from engine.physics.state import (
     RADIUS,
     SLIDING,
@@ -67,10 +68,7 @@ def mathavan(
     radius = ball[RADIUS]
     rise, level = where
     ax, ay = iy, -ix
-    along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
-    spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
-    spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
-    spin_z = radius * ball[WZ]
+    along, into, spin_x, spin_y, spin_z = enter(ball, ix, iy)
     before = along**2 + into**2 + 0.4 * (spin_x**2 + spin_y**2 + spin_z**2)
     place = (rise, level, friction, ball[SLIDING], DEAD * into)
     nose_x, nose_t = along + spin_y * rise - spin_z * level, spin_x - into * rise

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from engine.geometry.kernel import kernel
 from engine.physics.collide import kick, scale_spin, spin_energy
+from engine.physics.frame import enter, leave
 from engine.physics.mathavan import mathavan
 from engine.physics.state import (
     G_NOSE,
@@ -34,9 +35,6 @@ from engine.physics.state import (
     SOFT,
     VX,
     VY,
-    WX,
-    WY,
-    WZ,
 )
 
 if TYPE_CHECKING:
@@ -135,13 +133,8 @@ def _han(
     restitution: float,
 ) -> None:
     """Han 2005 with the corrected equations: one free-body impulse, stick or slip as a whole."""
-    radius = ball[RADIUS]
     rise, level = place
-    ax, ay = iy, -ix
-    along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
-    spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
-    spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
-    spin_z = radius * ball[WZ]
+    along, into, spin_x, spin_y, spin_z = enter(ball, ix, iy)
     slip_x = along + spin_y * rise - spin_z * level
     slip_t = spin_x - into * rise
     slip = sqrt(slip_x * slip_x + slip_t * slip_t)
@@ -154,10 +147,7 @@ def _han(
     spin_x += 2.5 * pt
     spin_y += 2.5 * rise * px
     spin_z -= 2.5 * level * px
-    ball[VX], ball[VY] = along * ax + into * ix, along * ay + into * iy
-    ball[WX] = (spin_x * ax + spin_y * ix) / radius
-    ball[WY] = (spin_x * ay + spin_y * iy) / radius
-    ball[WZ] = spin_z / radius
+    leave(ball, ix, iy, along, into, spin_x, spin_y, spin_z)
 
 
 __all__ = ["HUG", "bounce", "friction_at", "lean", "meet_nose", "restitution_at"]

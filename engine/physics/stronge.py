@@ -16,7 +16,7 @@ from math import acos, cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 from engine.geometry.kernel import kernel
-from engine.physics.state import RADIUS, VX, VY, WX, WY, WZ
+from engine.physics.frame import enter, leave
 
 if TYPE_CHECKING:
     import numpy as np
@@ -155,13 +155,8 @@ def stronge(
 
     `place` is sine and cosine of the angle above its centre at which it touches the ball.
     """
-    radius = ball[RADIUS]
     rise, level = place
-    ax, ay = iy, -ix
-    along, into = ball[VX] * ax + ball[VY] * ay, ball[VX] * ix + ball[VY] * iy
-    spin_x = radius * (ball[WX] * ax + ball[WY] * ay)
-    spin_y = radius * (ball[WX] * ix + ball[WY] * iy)
-    spin_z = radius * ball[WZ]
+    along, into, spin_x, spin_y, spin_z = enter(ball, ix, iy)
     slip_x = along + spin_y * rise - spin_z * level
     slip_t = spin_x - into * rise
     slip, speed = sqrt(slip_x * slip_x + slip_t * slip_t), into * level
@@ -174,10 +169,7 @@ def stronge(
     spin_x += 2.5 * pt
     spin_y += 2.5 * rise * px
     spin_z -= 2.5 * level * px
-    ball[VX], ball[VY] = along * ax + into * ix, along * ay + into * iy
-    ball[WX] = (spin_x * ax + spin_y * ix) / radius
-    ball[WY] = (spin_x * ay + spin_y * iy) / radius
-    ball[WZ] = spin_z / radius
+    leave(ball, ix, iy, along, into, spin_x, spin_y, spin_z)
 
 
 __all__ = ["FREQUENCY_RATIO", "slip_after", "stronge"]
