@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from frozen import value
+from rulelang.frozen import value
 from rulelang.reading import Token, tokens_of
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import field
 from typing import TYPE_CHECKING
 
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

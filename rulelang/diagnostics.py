@@ -6,7 +6,7 @@ all mistakes of a file come together, never one at a time.
 
 from __future__ import annotations
 
-from frozen import value
+from rulelang.frozen import value
 
 _WIDEST, _BEFORE = 200, 60
 """Of a longer line only a stretch is shown, from so much before the mistake."""

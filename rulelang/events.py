@@ -6,7 +6,7 @@ None where nobody measured it. Names are those of the variant.
 
 from __future__ import annotations
 
-from frozen import value
+from rulelang.frozen import value
 
 
 @value

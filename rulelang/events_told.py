@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from frozen import value
 from rulelang import account as w
+from rulelang.frozen import value
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from frozen import value
 from rulelang import code as k
 from rulelang import syntax as s
 from rulelang.closures import derive, kind_mend
 from rulelang.code import Code, Mistake
+from rulelang.frozen import value
 from rulelang.scope import nearest
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from dataclasses import field
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Set as AbstractSet

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from frozen import value
 from rulelang import syntax as s
 from rulelang.closures import singles
 from rulelang.code import Mistake
+from rulelang.frozen import value
 from rulelang.syntax.plain import plain
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from frozen import value
 from rulelang import code as k
 from rulelang import syntax as s
+from rulelang.frozen import value
 from rulelang.signs import UNKNOWN
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from frozen import value
 from rulelang.account import VERBS
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

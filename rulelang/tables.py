@@ -12,8 +12,8 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 from zlib import crc32
 
-from frozen import value
 from rulelang.automaton import Automaton, Recipe
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from frozen import value
 from rulelang import code as k
 from rulelang.closures import singles
 from rulelang.code import Code
+from rulelang.frozen import value
 from rulelang.watch import BEGIN, END
 
 if TYPE_CHECKING:

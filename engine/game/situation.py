@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.table.marks import contains
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

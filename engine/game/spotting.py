@@ -17,8 +17,8 @@ from engine.table.furniture import BallId, SpotId
 from engine.table.pin import standing
 from engine.table.room import free_place, nearest_place, nearest_room
 from engine.variant.rack import lay_rack
-from frozen import value
 from rulelang.decisions import Place, Remove, Rerack, Restore, SetUp, Spot, TableAction
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from engine.game.situation import Situation

@@ -6,11 +6,11 @@ One idea: everything the solvers need is one frozen value. SI units and radians.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import BallId, Point, Rubber
-from frozen import value
 
 if TYPE_CHECKING:
     from engine.table.furniture import Table
@@ -19,7 +19,7 @@ Layout = Mapping[BallId, Point]
 """Where the balls in play lie (m); a ball that is not named is not on the table."""
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Ball:
     """A ball's body: radius in m, mass in kg; and what it has of its own, None for the world's.
 
@@ -37,7 +37,7 @@ class Ball:
     grip: float = 1.0
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Cloth:
     """Coefficients of sliding and rolling friction, and the loss of side spin in rad/s^2.
 
@@ -53,7 +53,7 @@ class Cloth:
     bounce: float = 0.5
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Contact:
     """Ball on ball: restitution, and friction `floor + rise * exp(-decay * slip)`.
 
@@ -71,7 +71,7 @@ class Contact:
     restitution_knee: float = 0.0
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Cue:
     """The cue: mass (kg), tip restitution and friction, ball mass over the cue's end mass."""
 
@@ -81,7 +81,7 @@ class Cue:
     end_mass_ratio: float
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Models:
     """The physical models by name."""
 
@@ -110,7 +110,7 @@ MODEL_NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """The names that each field of Models may have."""
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class World:
     """All that stays the same from shot to shot."""
 
@@ -123,7 +123,7 @@ class World:
     models: Models
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Strike:
     """The cue's impulse: speed in m/s, angles in rad, tip offsets in ball radii.
 

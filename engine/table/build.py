@@ -8,18 +8,18 @@ through a pocket without dropping.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import hypot
 
 from engine.table.furniture import Cushion, CushionId, Jaw, Pocket, PocketId, Point, Straight, Table
 from engine.table.mouth import MouthError, PocketCut, fill_gap, tangent_of
-from frozen import value
 
 PLAIN = ("foot", "left", "head", "right")
 CUSHIONS = ("foot", "left-foot", "left-head", "head", "right-head", "right-foot")
 POCKETS = ("foot-left", "side-left", "head-left", "head-right", "side-right", "foot-right")
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class _Joint:
     """Where one cushion ends and the next begins, and the pocket between them."""
 

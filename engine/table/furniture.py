@@ -7,11 +7,9 @@ Invariant: nothing here moves and nothing here knows a game.
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NewType
-
-from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,7 +24,7 @@ ZoneId = NewType("ZoneId", str)
 PinId = NewType("PinId", str)
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Straight:
     """A straight nose from `start` to `end` (m); the bed lies on its left."""
 
@@ -34,7 +32,7 @@ class Straight:
     end: Point
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Curve:
     """A round nose: an arc about `centre` (m) from angle `start` through `sweep` (rad).
 
@@ -51,7 +49,7 @@ class Curve:
 Shape = Straight | Curve
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Rubber:
     """Ball on cushion: restitution by the speed into it, friction by the angle of incidence.
 
@@ -71,7 +69,7 @@ class Rubber:
     frequency_ratio: float = 1.7
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Cushion:
     """One named cushion: the chain of noses that records call by one name.
 
@@ -86,7 +84,7 @@ class Cushion:
     upright: bool = False
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Jaw:
     """One side of a pocket's mouth: shoulder and facing, from the cushion into the pocket."""
 
@@ -94,7 +92,7 @@ class Jaw:
     shapes: tuple[Shape, ...]
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Pocket:
     """A pocket: a ball whose centre comes over the circle (`centre`, `radius`, m) drops.
 
@@ -119,7 +117,7 @@ class Pocket:
     jaw_model: str | None = None
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Pin:
     """A turned body that stands on the bed at `at` (m) until something fells it.
 
@@ -152,7 +150,7 @@ class Pin:
         return max(radius for _, radius in self.profile)
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Line:
     """A line across the bed from `start` to `end` (m), drawn on the cloth or only thought of."""
 
@@ -161,7 +159,7 @@ class Line:
     drawn: bool = True
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class HalfPlane:
     """The points p with (p - `point`) . `normal` > 0, or >= 0 where `closed`."""
 
@@ -170,7 +168,7 @@ class HalfPlane:
     closed: bool
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Disc:
     """The points within `radius` (m) of `centre`, its rim included where `closed`."""
 
@@ -179,21 +177,21 @@ class Disc:
     closed: bool
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Area:
     """The bed's points that lie in every one of `parts`; with no parts, the whole bed."""
 
     parts: tuple[HalfPlane | Disc, ...] = ()
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Places:
     """A zone that is no area but some single points (m), such as two starting spots."""
 
     points: tuple[Point, ...]
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Figure:
     """The bed's points less than `margin` (m) away from a convex figure, or just so if `closed`.
 
@@ -205,7 +203,7 @@ class Figure:
     closed: bool
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Opposite:
     """Whichever of several areas holds none of the balls that may be hit first.
 
@@ -218,7 +216,7 @@ class Opposite:
 Zone = Area | Places | Figure | Opposite
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Table:
     """One table as it stands in the room; lengths in metres.
 

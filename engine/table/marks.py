@@ -7,6 +7,7 @@ Invariant: pure functions of plain numbers; nothing here knows whose ball it is.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
@@ -14,7 +15,6 @@ from typing import TYPE_CHECKING
 from engine.geometry.vectors import distance, dot
 from engine.table.furniture import Disc, Figure, HalfPlane, Line, Opposite, Places, Straight
 from engine.table.region import ends, on_bed
-from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -29,7 +29,7 @@ Polynomial = tuple[float, ...]
 """Coefficients, the constant first."""
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Piece:
     """A way r0 + v0 s + a s^2 / 2 for 0 <= s <= `duration`, from time `begin` on (m, s)."""
 
@@ -45,7 +45,7 @@ class Piece:
         return x + s * (u + s * a / 2), y + s * (v + s * b / 2)
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Crossing:
     """A line passed at `time`; `to` is the side reached, +1 left of the line's way, else -1."""
 
@@ -53,7 +53,7 @@ class Crossing:
     to: int
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class ZoneChange:
     """A zone entered or left at `time`."""
 

@@ -7,12 +7,12 @@ Invariant: as on a rectangular table, the jaws run in until the drop circle span
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import atan2, cos, hypot, isfinite, pi, sin, tan
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import Curve, Jaw, Pocket, PocketId, Straight
 from engine.table.region import ends
-from frozen import value
 
 if TYPE_CHECKING:
     from engine.table.furniture import Point, Shape
@@ -21,7 +21,7 @@ RIM = 0.05
 """Height (m) of what stands behind a pocket where nothing is said: higher than any nose."""
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class PocketCut:
     """How a pocket is cut into the cushions.
 
@@ -68,7 +68,7 @@ class PocketCut:
             raise ValueError(message)
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Mouth:
     """A pocket between two noses: how far (m) each is cut back, and what fills the gap."""
 

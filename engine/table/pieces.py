@@ -6,6 +6,7 @@ cannot be drawn is a fault of its corner.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import asin, atan2, cos, hypot, tau
 from typing import TYPE_CHECKING, Literal
 
@@ -13,7 +14,6 @@ from engine.geometry.vectors import distance
 from engine.table.furniture import Curve, Straight
 from engine.table.mouth import length_of, point_along
 from engine.table.region import bounds
-from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Kind = Literal["centre", "arc", "short", "crossing", "clockwise", "narrow", "pocket"]
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Corner:
     """A corner of an outline, and the cushion from here to the next corner.
 
@@ -42,7 +42,7 @@ class Corner:
     cut: PocketCut | None = None
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Fault:
     """What is wrong with an outline: at which corner, or None for the whole; and a mend."""
 

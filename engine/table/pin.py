@@ -6,11 +6,10 @@ all of it follows from a few radii. Invariant: pure functions of plain numbers, 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 from math import sqrt
 from typing import TYPE_CHECKING
-
-from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -26,7 +25,7 @@ _GAUSS = ((-sqrt(0.6), 5.0 / 9.0), (0.0, 8.0 / 9.0), (sqrt(0.6), 5.0 / 9.0))
 """Places and weights of a rule that is exact up to the fifth degree."""
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Stance:
     """How a pin stands or lies: where its foot is (m), and its tilt (rad) along `way`."""
 
@@ -35,7 +34,7 @@ class Stance:
     tilt: float = 0.0
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Solid:
     """Height of the centre of mass (m), and the inertia about a level axis there over the mass."""
 

@@ -7,12 +7,12 @@ Invariant: a table without an outline of its own is the rectangle of its length 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import atan2, cos, hypot, isclose, pi, sin, sqrt, tau
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import Curve, Straight
 from engine.table.pin import meeting
-from frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _SLACK = 1e-9
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Post:
     """A round body that stands on the bed; it is a cushion to the balls and to the records."""
 

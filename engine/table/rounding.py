@@ -6,19 +6,19 @@ or circles meet, the nearest such point to the corner.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import atan2, hypot, sqrt, tau
 from typing import TYPE_CHECKING
 
 from engine.table.furniture import Curve, Straight
 from engine.table.mouth import length_of, point_along
 from engine.table.region import ends
-from frozen import value
 
 if TYPE_CHECKING:
     from engine.table.furniture import Point, Shape
 
 
-@value
+@dataclass(frozen=True, slots=True)
 class Rounding:
     """The arc, and how much (m) it takes of the nose before it and the one after it."""
 

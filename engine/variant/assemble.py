@@ -25,7 +25,7 @@ from engine.variant.pinset import build_pins
 from engine.variant.rack import build_rack, check_own_spots
 from engine.variant.report import nearest
 from engine.variant.variant import Look, Setting
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

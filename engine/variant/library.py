@@ -13,8 +13,8 @@ from types import MappingProxyType
 import engine
 from engine.variant.report import nearest
 from engine.variant.source import Node, merge, read_source, read_text
-from frozen import value
 from rulelang.diagnostics import Diagnostic, render
+from rulelang.frozen import value
 
 PARTS = MappingProxyType({"table": "tables", "balls": "balls", "pins": "pins", "cloth": "cloths"})
 """The parts that several variants may share, and the folder each lives in."""

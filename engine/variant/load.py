@@ -27,8 +27,8 @@ from engine.variant.source import dotted, read_text
 from engine.variant.spec import VariantSpec
 from engine.variant.variant import Variant
 from engine.variant.words import vocabulary_of
-from frozen import value
 from rulelang.diagnostics import ScriptError
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -11,7 +11,7 @@ import re
 import tomllib
 from bisect import bisect_right
 
-from frozen import value
+from rulelang.frozen import value
 
 KeyPath = tuple[str | int, ...]
 """Keys from the top of a file down; an int is a place in an array."""

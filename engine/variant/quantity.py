@@ -13,7 +13,7 @@ import re
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from frozen import value
+from rulelang.frozen import value
 
 if TYPE_CHECKING:
     from rulelang.syntax.places import Span

@@ -6,7 +6,7 @@ Invariant: lines and columns count from 1, characters from 0; `end` is one past 
 
 from __future__ import annotations
 
-from frozen import value
+from rulelang.frozen import value
 
 
 @value

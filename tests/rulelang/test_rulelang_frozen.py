@@ -12,7 +12,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from frozen import value
+from rulelang.frozen import value
 
 
 def classes(decorate):
