@@ -10,6 +10,7 @@ import atexit
 import gc
 import json
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -253,8 +254,10 @@ def simulate(variant: str, place: tuple[float, float] | None, **options: object)
     """Play the first stroke of a game without a window: events, verdict, where the balls lie."""
     from engine.records.first import first_stroke  # noqa: PLC0415
 
+    loaded = _load(variant)
+    _prepare()
     try:
-        click.echo(first_stroke(_load(variant), place, **options))  # type: ignore[arg-type]
+        click.echo(first_stroke(loaded, place, **options))  # type: ignore[arg-type]
     except ValueError as error:
         raise click.UsageError(str(error)) from None
 
@@ -323,6 +326,13 @@ def export(record: Path, gif: Path | None, paths: Path | None, shot: int, size: 
     except (NoStrokeError, OSError) as error:
         click.echo(f"{record}: {error}", err=True)
         sys.exit(2)
+
+
+def _prepare() -> None:
+    """Compile the physics where that was never done, and say so: it takes a while."""
+    from engine.physics.prepare import prepare  # noqa: PLC0415
+
+    prepare(partial(click.echo, err=True))
 
 
 def _loader() -> Callable[[str], Variant]:
