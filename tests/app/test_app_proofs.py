@@ -30,6 +30,7 @@ def run(tool, *words, seconds=240):
 
 def test_a_match_is_played_from_the_start_screen_to_its_end_by_keyboard_alone(tmp_path):
     words = ["--games", "three_cushion", "--set", "target=1", "--size", "900x600", "--keyboard"]
+    words += ["--name", "Ann"]
     done = run("scripted_play", *words, "--display", "headless", "--out", str(tmp_path))
     assert done.returncode == 0, done.stdout + done.stderr
     pictures = sorted((tmp_path / "three_cushion").glob("*.png"))
@@ -37,7 +38,9 @@ def test_a_match_is_played_from_the_start_screen_to_its_end_by_keyboard_alone(tm
     assert {"start", "found", "set", "keys", "menu", "rules", "aim", "verdict", "end"} <= names
     assert Image.open(pictures[0]).size == (900, 600)
     kept = list((tmp_path / "three_cushion" / "data").rglob("three_cushion-*.toml"))
-    assert "target = 1\n" in kept[0].read_text(encoding="utf-8")
+    text = "".join(path.read_text(encoding="utf-8") for path in kept)
+    assert "target = 1\n" in text
+    assert '"Ann"' in text
 
 
 def test_a_match_that_is_killed_is_gone_on_with():
