@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 RENDERERS = ("wireframe", "painter", "scanline")
 CAMERAS = ("cue", "above", "orbit")
+COMPILING = "compiling (once per installation, some seconds)"
 FILE = click.Path(path_type=Path)
 
 
@@ -255,7 +256,7 @@ def simulate(variant: str, place: tuple[float, float] | None, **options: object)
     from engine.records.first import first_stroke  # noqa: PLC0415
 
     loaded = _load(variant)
-    _prepare()
+    _tell_compiling()
     try:
         click.echo(first_stroke(loaded, place, **options))  # type: ignore[arg-type]
     except ValueError as error:
@@ -284,6 +285,7 @@ def render(variant: str, renderer: str, camera: str, size: str, seed: int, outpu
     from engine.game.placing import opening_layout  # noqa: PLC0415
 
     loaded = _load(variant)
+    _tell_compiling()
     layout = opening_layout(loaded, seed)
     render_variant(loaded, layout, renderer, camera, _size(size) or (1280, 720), output)
     click.echo(f"{output}: {loaded.title}, {renderer}, seen from {camera}")
@@ -308,6 +310,7 @@ def export(record: Path, gif: Path | None, paths: Path | None, shot: int, size: 
     from engine.records.record import RecordError  # noqa: PLC0415
     from engine.records.run import run_record  # noqa: PLC0415
 
+    _tell_compiling()
     try:
         outcome = run_record(read_record(record, _loader()))
         if gif is not None:
@@ -328,11 +331,11 @@ def export(record: Path, gif: Path | None, paths: Path | None, shot: int, size: 
         sys.exit(2)
 
 
-def _prepare() -> None:
-    """Compile the physics where that was never done, and say so: it takes a while."""
-    from engine.physics.prepare import prepare  # noqa: PLC0415
+def _tell_compiling() -> None:
+    """Say so where kernels must be compiled first: the wait is long, and comes once."""
+    from engine.kernel_cache import when_compiling  # noqa: PLC0415
 
-    prepare(partial(click.echo, err=True))
+    when_compiling(partial(click.echo, COMPILING, err=True))
 
 
 def _loader() -> Callable[[str], Variant]:

@@ -15,6 +15,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
 KERNEL = re.compile(r"^@(?:njit|kernel)", re.MULTILINE)
@@ -46,6 +47,24 @@ def drop_stale(cache: Path, sources: Path) -> list[str]:
     return dropped
 
 
+def when_compiling(tell: Callable[[], None]) -> None:
+    """Call `tell` when this process first has to compile a kernel, and never again."""
+    from numba.core import event  # noqa: PLC0415  slow to import
+
+    class Once(event.Listener):
+        told = False
+
+        def on_start(self, _event: object) -> None:
+            if not self.told:
+                self.told = True
+                tell()
+
+        def on_end(self, _event: object) -> None:
+            pass
+
+    event.register("numba:compile", Once())  # type: ignore[no-untyped-call]
+
+
 def _digest(sources: Path) -> tuple[set[str], str]:
     """Return the names of the modules with kernels, and a digest of all they are made from."""
     texts = {path: path.read_text(encoding="utf-8") for path in sources.glob("*.py")}
@@ -72,4 +91,4 @@ def _file(root: Path, module: str) -> Path:
     return root.parent.joinpath(*module.split(".")).with_suffix(".py")
 
 
-__all__ = ["drop_stale"]
+__all__ = ["drop_stale", "when_compiling"]

@@ -101,16 +101,6 @@ def test_simulate_keeps_a_record_that_passes(tmp_path):
     assert run("golden", path).exit_code == 0
 
 
-def test_simulate_says_that_it_compiles_beside_its_answer(monkeypatch):
-    told = "compiling the physics"
-    monkeypatch.setattr(
-        "engine.physics.prepare.prepare", lambda progress=None: progress and progress(told)
-    )
-    answer = run("simulate", "eight_ball", "--speed", "6", "--json")
-    assert told in answer.stderr
-    assert json.loads(answer.stdout)
-
-
 def test_simulate_refuses_what_cannot_be_played():
     assert run("simulate", "eight_ball", "--speed", "-1").exit_code == 2
     assert "Traceback" not in run("simulate", "eight_ball", "--speed", "nan").output

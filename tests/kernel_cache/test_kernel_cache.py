@@ -1,12 +1,13 @@
 """Compiled kernels that may be out of date are dropped; the others stay."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from engine.kernel_cache import STAMP, drop_stale
+from engine.kernel_cache import STAMP, drop_stale, when_compiling
 
 KERNEL = "from whole.part.inner import BY\n\n@njit\ndef outer(x): return x * BY\n"
 
@@ -88,3 +89,40 @@ def test_numba_is_not_loaded():
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=root
     )
     assert done.stdout.strip() == "False"
+
+
+def test_the_first_compilation_is_told_and_only_that():
+    from numba import njit  # slow to import
+
+    told = []
+    when_compiling(lambda: told.append("compiling"))
+    assert not told
+    for kernel in (njit(lambda x: x + 1), njit(lambda x: x * 2)):
+        kernel(1)
+        assert told == ["compiling"]
+
+
+def test_a_kernel_that_is_on_disk_is_not_told(tmp_path):
+    (tmp_path / "kept.py").write_text(
+        "from numba import njit\n"
+        "from engine.kernel_cache import when_compiling\n"
+        "@njit(cache=True)\n"
+        "def grow(x):\n"
+        "    return x + 1\n"
+        "when_compiling(lambda: print('compiling'))\n"
+        "print(grow(1))\n"
+    )
+    root = Path(__file__).parents[2]
+    code = f"import sys; sys.path[:0] = [{str(tmp_path)!r}, {str(root)!r}]; import kept"
+    answers = [
+        subprocess.run(
+            [sys.executable, "-c", code],
+            capture_output=True,
+            text=True,
+            check=True,
+            cwd=tmp_path,
+            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "numba")},
+        ).stdout.split()
+        for _ in range(2)
+    ]
+    assert answers == [["compiling", "2"], ["2"]]
