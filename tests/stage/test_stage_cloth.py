@@ -45,14 +45,14 @@ def test_posts_stand_in_soft_dark_and_have_no_strips():
 
 
 def test_every_digit_is_drawn_within_its_box():
-    assert set(DIGITS) == set("0123456789")
-    for lines in DIGITS.values():
+    assert len(DIGITS) == 10
+    for lines in DIGITS:
         ups = [up for line in lines for _, up in line]
         rights = [right for line in lines for right, _ in line]
         assert (min(ups), max(ups)) == (0, 1)
         assert min(rights) >= 0
         assert max(rights) <= 0.55
-    assert len(set(DIGITS.values())) == 10
+    assert len(set(DIGITS)) == 10
 
 
 def test_holes_that_count_say_so_on_the_bed_beyond_their_rims():
@@ -60,7 +60,7 @@ def test_holes_that_count_say_so_on_the_bed_beyond_their_rims():
     for entry in list_variants():
         table = load_variant(entry.name).world.table
         holes = [p for p in table.pockets if is_hole(p) and p.value]
-        digits = sum(len(DIGITS[d]) for hole in holes for d in str(hole.value))
+        digits = sum(len(DIGITS[int(d)]) for hole in holes for d in str(hole.value))
         lines = build_values(table, (255, 255, 255))
         assert len(lines) == digits
         for line in lines:
