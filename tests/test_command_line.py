@@ -105,6 +105,9 @@ def test_simulate_refuses_what_cannot_be_played():
     assert run("simulate", "eight_ball", "--speed", "-1").exit_code == 2
     assert "Traceback" not in run("simulate", "eight_ball", "--speed", "nan").output
     assert "at most 100 m/s" in run("simulate", "eight_ball", "--speed", "1e308").output
+    answer = run("simulate", "eight_ball", "--speed", "1", "--place", "60", "0")
+    assert answer.exit_code == 2
+    assert "not on the bed" in answer.output
 
 
 def test_render_draws_without_a_window(tmp_path):

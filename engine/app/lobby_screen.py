@@ -44,7 +44,11 @@ class LobbyScreen:
         pen.surface.fill(pen.tint(BACKGROUND))
         edge, top = pen.px(26), pen.px(74)
         pen.write("Headstring", (edge, pen.px(20)), TEXT, 30)
-        told = f"find: {lobby.typed}_" if lobby.typed else "type to find a game"
+        told = (
+            f"find: {lobby.typed}_"
+            if lobby.typed
+            else f"{len(lobby.shown)} games: type to find one"
+        )
         pen.write(told, (edge, pen.px(54)), GOLD if lobby.typed else FAINT, 14)
         wide = min(pen.px(330), round(0.36 * width))
         bottom = height - pen.px(40)
@@ -66,7 +70,7 @@ class LobbyScreen:
             self._game(one, row, picked=place == lobby.picked)
             self.hot[f"pick:{place}"] = row
         if not shown:
-            pen.write("no game is called so", (left, top), BAD, 16)
+            pen.write("no game is called so: Backspace", (left, top), BAD, 16)
 
     def _game(self, one: Entry, box: Box, *, picked: bool) -> None:
         pen = self.pen
@@ -149,7 +153,7 @@ class LobbyScreen:
             count = len(lobby.entry.kept) if lobby.entry else 0
             return "Match", f"{count} kept" if count > 1 else "one is kept"
         if row.startswith(NAME):
-            return f"Player {row.removeprefix(NAME)}", "type a name" if marked else ""
+            return f"Player {row.removeprefix(NAME)}", "type a name" if marked else "click to name"
         return capital(spoken(row)), lobby.card.settings[row].about
 
 

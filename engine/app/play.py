@@ -214,7 +214,7 @@ def read_value(variant: Variant, key: str, text: str) -> Value:
     """
     if key not in variant.settings:
         known = ", ".join(variant.settings)
-        has = f"; it has: {known}" if known else " and none other"
+        has = f"; it has: {known}" if known else ": it has none"
         raise SettingError(f"{variant.title} has no setting {key}{has}")
     default = variant.settings[key].default
     if isinstance(default, bool):

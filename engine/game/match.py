@@ -76,7 +76,7 @@ def check_settings(variant: Variant, settings: Mapping[str, Value]) -> dict[str,
     for name, value in settings.items():
         if name not in values:
             known = ", ".join(values)
-            has = f"; it has: {known}" if known else " and none other"
+            has = f"; it has: {known}" if known else ": it has none"
             raise SettingError(f"{variant.title} has no setting {name}{has}")
         setting = variant.settings[name]
         if type(value) is not type(setting.default):

@@ -22,6 +22,7 @@ from engine.records.say import expectation
 from engine.records.show import verdict_lines
 from engine.records.spec import FARTHEST, FASTEST
 from engine.records.write import save_shot_record
+from engine.table.region import on_bed
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -53,6 +54,8 @@ def first_stroke(
     before = match.situation
     if before.in_hand is not None and place is None:
         place = usual_place(variant, before)
+    elif place is not None and not on_bed(variant.world.table, place):
+        raise ValueError(f"{place[0]:g} {place[1]:g} is not on the bed: metres from its middle")
     strike = Strike(speed, radians(heading), radians(elevation), side, follow)
     shot = play(variant, before, Shot(placement=place, strike=strike))
     verdict = judge_shot(variant, before, shot)
