@@ -16,6 +16,7 @@ from rulelang.watch import Nobody
 
 if TYPE_CHECKING:
     from rulelang.decisions import Ending
+    from rulelang.explain import Log
     from rulelang.facts import Situation
     from rulelang.firing import Fired
     from rulelang.program import CompiledRule, Program
@@ -34,10 +35,10 @@ def loser(c: Watch) -> int:
     return opponent(c, winner(c))
 
 
-def fire_at(rules: tuple[CompiledRule, ...], c: Watch) -> Fired:
+def fire_at(rules: tuple[CompiledRule, ...], c: Watch, log: Log | None = None) -> Fired:
     """Return the rules of a moment that fire and are not overridden.
 
-    One that needs a winner is silent without.
+    One that needs a winner is silent without. How they fared is kept in `log`.
     """
     fired: Fired = []
     for rule in rules:
@@ -47,11 +48,18 @@ def fire_at(rules: tuple[CompiledRule, ...], c: Watch) -> Fired:
             continue
         if made is not None:
             fired.append((rule, made))
-    return override(fired)[0]
+    left, beaten = override(fired)
+    if log is not None and rules:
+        log.close(rules, left, beaten, c)
+    return left
 
 
 def close(
-    program: Program, situation: Situation, c: Watch, ended: tuple[Ending, ...]
+    program: Program,
+    situation: Situation,
+    c: Watch,
+    ended: tuple[Ending, ...],
+    log: Log | None = None,
 ) -> tuple[tuple[Ending, ...], tuple[int, ...]]:
     """Run the rules of the end; return what has ended now, and the points they gave.
 
@@ -61,7 +69,7 @@ def close(
     rules = program.compiled.get("game end", ())
     points = [0] * c.players
     for late in (False, True):
-        fired = fire_at(tuple(rule for rule in rules if rule.late is late), c)
+        fired = fire_at(tuple(rule for rule in rules if rule.late is late), c, log)
         points = _apply(program, c, fired, points)
         if not any(one.unit == "match" for one in ended):
             match = [one for one in endings_of(fired, situation)[0] if one.unit == "match"]
@@ -69,7 +77,8 @@ def close(
     over = next((one for one in ended if one.unit == "match"), None)
     if over is not None:
         c.winner = over.winner
-        points = _apply(program, c, fire_at(program.compiled.get("match end", ()), c), points)
+        closing = program.compiled.get("match end", ())
+        points = _apply(program, c, fire_at(closing, c, log), points)
     return ended, tuple(points)
 
 

@@ -13,7 +13,7 @@ from rulelang.closures import forget
 from rulelang.decisions import RuleOutcome
 from rulelang.program import STAGE
 from rulelang.telling import balls, why
-from rulelang.watch import FUEL
+from rulelang.watch import FUEL, Nobody
 
 if TYPE_CHECKING:
     from rulelang.program import CompiledRule, RuleInfo
@@ -23,20 +23,28 @@ if TYPE_CHECKING:
 class Log:
     """What is kept of a judgement for its explanation: how rules fared, what sections saw."""
 
-    __slots__ = ("rules", "views")
+    __slots__ = ("closings", "rules", "views")
 
     def __init__(self) -> None:
         self.rules: list[tuple[tuple[CompiledRule, ...], Any, Any]] = []
         self.views: list[tuple[Any, ...]] = []
+        self.closings: list[tuple[tuple[CompiledRule, ...], Any, Any, tuple[Any, ...], int]] = []
+        """Of the rules asked when a game or the match had ended: with what they saw, who won."""
 
     def look(self, c: Watch) -> None:
         """Keep what a section sees."""
-        self.views.append(
-            (
-                c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
-                c.actions, c.homes,
-            )
-        )  # fmt: skip
+        self.views.append(_view(c))
+
+    def close(self, rules: tuple[CompiledRule, ...], fired: Any, beaten: Any, c: Watch) -> None:
+        """Keep how rules fared that were asked at an end."""
+        self.closings.append((rules, fired, beaten, _view(c), c.winner))
+
+
+def _view(c: Watch) -> tuple[Any, ...]:
+    return (
+        c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues, c.actions,
+        c.homes,
+    )  # fmt: skip
 
 
 class Explanation(Sequence[RuleOutcome]):
@@ -57,7 +65,8 @@ class Explanation(Sequence[RuleOutcome]):
         return self.outcomes()[index]
 
     def __len__(self) -> int:
-        return sum(len(rules) for rules, _, _ in self._log.rules)
+        asked = [rules for rules, _, _ in self._log.rules]
+        return sum(map(len, [*asked, *(one[0] for one in self._log.closings)]))
 
     def __iter__(self) -> Iterator[RuleOutcome]:
         return iter(self.outcomes())
@@ -75,20 +84,38 @@ class Explanation(Sequence[RuleOutcome]):
         """Return every outcome, in the order of sections and script."""
         if self._outcomes is None:
             over = _ender(self._log.rules)
-            self._outcomes = tuple(
-                self._tell(rule, *_in_force(rule, over, *self._fared(rule, fired, beaten)))
-                for rules, fired, beaten in self._log.rules
-                for rule in rules
-            )
+            self._outcomes = (*self._asked(over), *self._closed())
         return self._outcomes
+
+    def _asked(self, over: str) -> Iterator[RuleOutcome]:
+        for rules, fired, beaten in self._log.rules:
+            for rule in rules:
+                stage = max(0, rule.stage - 2)
+                self._look(self._log.views[stage], nothing_yet=rule.stage == 1 and not rule.late)
+                yield self._tell(rule, *_in_force(rule, over, *self._fared(rule, fired, beaten)))
+
+    def _closed(self) -> Iterator[RuleOutcome]:
+        """Return how those rules fared that were asked at the end of a game or the match."""
+        for rules, fired, beaten, view, winner in self._log.closings:
+            for rule in rules:
+                self._look(view)
+                self._watch.winner = winner
+                outcome, detail = self._fared(rule, fired, beaten)
+                mute = not winner and outcome == "silent" and self._needs_winner(rule)
+                yield self._tell(rule, outcome, "nobody won" if mute else detail)
+
+    def _needs_winner(self, rule: CompiledRule) -> bool:
+        try:
+            rule.run(self._watch)
+        except Nobody:
+            return True
+        return False
 
     def _tell(self, rule: CompiledRule, outcome: str, detail: Any) -> RuleOutcome:
         c = self._watch
-        self._look(rule.stage, late=rule.late)
-        c.fuel = FUEL
         events: tuple[int, ...] = ()
         said: tuple[str, ...] = ()
-        if outcome == "overridden":
+        if isinstance(detail, str):
             because = detail
         else:
             because, events = why(rule.outline, c, fired=outcome == "fired")
@@ -106,14 +133,15 @@ class Explanation(Sequence[RuleOutcome]):
             return "overridden", f'overridden by "{beaten[rule.number].info.name}"'
         return "silent", None
 
-    def _look(self, stage: int, *, late: bool) -> None:
-        """Set the watch to what a section saw."""
+    def _look(self, view: tuple[Any, ...], *, nothing_yet: bool = False) -> None:
+        """Set the watch to what a section saw; rules of the fouls begin with none."""
         c = self._watch
+        c.fuel = FUEL
         (
             c.fouls, c.legal, c.state, c.scores, c.next_phase, c.next_player, c.continues,
             c.actions, c.homes,
-        ) = self._log.views[max(0, stage - 2)]  # fmt: skip
-        if stage == 1 and not late:
+        ) = view  # fmt: skip
+        if nothing_yet:
             c.fouls, c.legal = (), True
         forget(c)
 

@@ -145,7 +145,7 @@ def _ending(
     ended, eliminated = endings_of(fired, situation)
     if not ended:
         return ended, eliminated, ()
-    ended, points = close(program, situation, c, ended)
+    ended, points = close(program, situation, c, ended, log)
     return ended, eliminated, points
 
 

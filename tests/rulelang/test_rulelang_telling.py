@@ -267,3 +267,38 @@ def test_a_define_of_how_many_is_true_by_their_number():
         "define d as balls pocketed\nturn: if number of d is 2: turn continues\n",
         "1 pocketed foot-left; 2 pocketed foot-left",
     ).continues
+
+
+CLOSING = """
+track racks per match per player
+ending:
+    if 9-ball pocketed: shooter wins game
+    if 8-ball pocketed: tie game
+at game end:
+    rule "A": add 1 to racks of winner
+    rule "B": if racks of winner is at least 2: winner wins match
+at match end:
+    rule "C" overrides "D": set racks of shooter to 7
+    rule "D": set racks of shooter to 8
+"""
+
+
+def test_the_rules_of_an_end_are_told_with_what_they_saw():
+    fared = told(CLOSING, "9 pocketed foot-left", state={"racks": (1, 0)})
+    assert fared["A"].said == ("add 1 to racks of player 1",)
+    assert fared["B"].outcome == "fired"
+    assert "racks of winner was 2" in fared["B"].because
+    assert (fared["C"].outcome, fared["D"].because) == ("fired", 'overridden by "C"')
+
+
+def test_an_end_that_nobody_won_is_told():
+    fared = told(CLOSING, "8 pocketed foot-left")
+    assert [(fared[name].outcome, fared[name].because) for name in "AB"] == [
+        ("silent", "nobody won"),
+        ("silent", "nobody won"),
+    ]
+    assert "C" not in fared
+
+
+def test_rules_of_an_end_are_not_told_before_it():
+    assert "A" not in told(CLOSING, "7 pocketed foot-left")
