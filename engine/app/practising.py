@@ -19,6 +19,8 @@ from engine.game.shot import NO_CALL
 if TYPE_CHECKING:
     from engine.game.situation import Situation
 
+KEPT = "all as it was before"
+
 
 def arrange(session: Session) -> Session:
     """Return the session in which balls can be moved, or the match that begins so."""
@@ -45,11 +47,15 @@ def arrange(session: Session) -> Session:
 
 
 def arranging(session: Session, command: commands.Command) -> Session:
-    """Return the session with the ball held another one, somewhere else, off or back."""
+    """Return the session with the ball held another one, elsewhere, off or back, or the match."""
     ahead, held, variant = session.ahead, session.held, session.variant
     balls = [kind.id for kind in variant.balls]
     lying = ahead.rest.positions
     match command:
+        case commands.Back():
+            return replace(
+                begin(session.match, session.stroke, session.aid, session.timing), note=KEPT
+            )
         case commands.CallNextBall(by):
             place = balls.index(held) if held in balls else -by
             return replace(session, held=balls[(place + by) % len(balls)])

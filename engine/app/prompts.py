@@ -84,7 +84,8 @@ def _offered(session: Session) -> list[tuple[str, str]]:
             after = "New match" if session.match.situation.match_over else "Next game"
             return [(after, "next"), why, ("Replay", "replay"), ("Save", "save"), undo]
         case Mode.ARRANGING:
-            return [("Play from here", "confirm"), ("Other ball", "ball"), ("Off / on", "take-off")]
+            held = [("Other ball", "ball"), ("Off / on", "take-off")]
+            return [("Play from here", "confirm"), *held, ("As it was", "back")]
 
 
 def hint_of(session: Session) -> str:

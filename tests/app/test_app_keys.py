@@ -17,7 +17,9 @@ def rows():
 
 
 def test_the_documentation_has_exactly_the_keys_of_the_table():
-    written = [line for line in DOCS.read_text(encoding="utf-8").splitlines() if line[:2] == "| "]
+    made = DOCS.read_text(encoding="utf-8").split("<!-- made: key-tables -->")[1]
+    tables = made.split("<!-- end -->")[0]
+    written = [line for line in tables.splitlines() if line[:2] == "| "]
     told = [
         line
         for line in written

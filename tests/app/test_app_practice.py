@@ -40,6 +40,16 @@ def test_a_ball_goes_where_it_is_put_and_the_game_goes_on_from_there(start):
     assert done.match.played[0].before.rest.positions["9"] == (-0.3, 0.2)
 
 
+def test_what_was_arranged_by_mistake_is_left_as_it_was(start):
+    before = start("nine_ball")
+    arranged = act(act(before, commands.Arrange()), commands.PutBall((0.2, 0.2)))
+    after = act(arranged, commands.Back())
+    assert after.match is before.match
+    assert after.mode is before.mode
+    assert after.ahead == before.ahead
+    assert after.timing == arranged.timing
+
+
 def test_what_was_said_before_makes_way_for_the_hint_of_arranging(start):
     told = replace(start("nine_ball"), note="kept somewhere")
     assert act(told, commands.Arrange()).note == ""
