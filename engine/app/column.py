@@ -103,7 +103,8 @@ def draw_column(
 def _draw_trouble(column: Column, session: Session, keymap: Keymap) -> None:
     """Tell what is wrong with the script, and that nothing is lost."""
     column.line("The script is in trouble", BAD, 17)
-    for line in session.trouble.splitlines()[:14]:
+    told = [line for line in session.trouble.splitlines() if line.strip(" |^")]
+    for line in told[:14]:
         column.text(line.strip(), TONES["plain"], 14, 14)
     undo = keymap.shown("undo")
     kept = f"The match is as it was before. Mend it, play otherwise, or take a shot back ({undo})."
