@@ -38,10 +38,12 @@ class Lab:
 
     def opening(self, seed: int = 0) -> dict[str, Point]:
         """Return where all balls lie (m) when a game opens; balls placed by lot follow the seed."""
+        from platformdirs import user_cache_path  # noqa: PLC0415
+
         from engine.game.placing import opening_layout  # noqa: PLC0415  reads the rules
         from engine.variant.load import load_variant  # noqa: PLC0415
 
-        layout = opening_layout(load_variant(self.name), seed)
+        layout = opening_layout(load_variant(self.name, user_cache_path("headstring")), seed)
         return {str(ball): place for ball, place in layout.items()}
 
     def with_models(self, **names: str) -> Lab:

@@ -16,11 +16,11 @@ from engine.app.hud import scale_for
 from engine.app.inputs import LEFT, ButtonPressed, CloseAsked, Input
 from engine.app.lobby import change, choose, hear, pick
 from engine.app.lobby_screen import LobbyScreen
+from engine.app.opening import open_variant
 from engine.app.pen import Pen
 from engine.app.screen import within
 from engine.app.settings import Settings
 from engine.variant.library import VariantError
-from engine.variant.load import load_variant
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -119,6 +119,6 @@ class Reception:
 def _card(name: str) -> Variant | str:
     """Return a game as loaded, or why it cannot be."""
     try:
-        return load_variant(name)
+        return open_variant(name)
     except VariantError as trouble:
         return str(trouble)

@@ -23,6 +23,7 @@ from engine.app.hud import Hud, scale_for
 from engine.app.inputs import CloseAsked, Input
 from engine.app.keeping import shown_path
 from engine.app.labels import shown_variant
+from engine.app.opening import open_variant
 from engine.app.overlay import draw_called
 from engine.app.pages import MENU, Page, draw_page
 from engine.app.pen import Pen
@@ -38,7 +39,6 @@ from engine.app.view import View, camera_of, followed_place, stroke_seen, struck
 from engine.app.wishes import Ask
 from engine.stage.stage import build_stage
 from engine.variant.library import VariantError
-from engine.variant.load import load_variant
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -249,7 +249,7 @@ class Loop:
         if self.session.mode in SHOWING or not self.watch.changed():
             return
         try:
-            variant = load_variant(self.session.variant.path)
+            variant = open_variant(self.session.variant.path)
         except VariantError as trouble:
             self.session = replace(self.session, trouble=str(trouble))
             return

@@ -14,11 +14,12 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING
 
+from engine.app.opening import open_variant
 from engine.app.settings import Settings, data_folder, read_settings
 from engine.app.trouble import ScriptTrouble
 from engine.game.match import SettingError, start_match
 from engine.variant.library import VariantError
-from engine.variant.load import list_variants, load_variant
+from engine.variant.load import list_variants
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -120,7 +121,7 @@ def _match(
     names: tuple[str, ...] = (),
 ) -> Sitting:
     """Return the match, and where and how it is kept."""
-    variant = load_variant(name)
+    variant = open_variant(name)
     if resume and names:
         raise PlayError("a match that is gone on with has its names already; leave --name out")
     if resume:
@@ -167,7 +168,7 @@ def _chosen(chosen: Chosen) -> Sitting:
     """Return the match that was chosen on the start screen."""
     if chosen.kept is not None:
         return Sitting(_resumed(chosen.kept), chosen.kept, goes_on=True)
-    variant = load_variant(chosen.name)
+    variant = open_variant(chosen.name)
     return _fresh(variant, chosen.players, chosen.settings, names=chosen.names)
 
 
@@ -186,7 +187,7 @@ def _resumed(path: Path) -> Match:
     from engine.records.record import RecordError  # noqa: PLC0415
 
     try:
-        return resume(path, load_variant)
+        return resume(path, open_variant)
     except OSError as trouble:
         raise PlayError(f"{path}: cannot be read: {trouble.strerror}") from trouble
     except RecordError as trouble:
