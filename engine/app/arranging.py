@@ -44,7 +44,7 @@ def with_ball(variant: Variant, situation: Situation, ball: BallId, wish: Point)
     lying = {other: at for other, at in situation.rest.positions.items() if other != ball}
     for at in _about(wish):
         if refuse_spot(variant, lying, ball, at) is None:
-            rest = place_ball(variant, situation.rest, ball, at)
+            rest = place_ball(situation.rest, ball, at)
             return replace(situation, rest=rest, on_table=situation.on_table | {ball})
     return situation
 
@@ -98,7 +98,7 @@ def load_layout(path: Path, variant: Variant, situation: Situation) -> Situation
         refused = refuse_spot(variant, situation.rest.positions, ball, at, TOUCHING)
         if refused is not None:
             raise LayoutError(f"{path.name}: {ball}: {refused.reason}; {refused.mend}")
-        rest = place_ball(variant, situation.rest, ball, at)
+        rest = place_ball(situation.rest, ball, at)
         situation = replace(situation, rest=rest, on_table=situation.on_table | {ball})
     return situation
 

@@ -158,7 +158,7 @@ def racked(variant: Variant, seed: int) -> Rest:
     """Return the balls at rest in their starting places."""
     rest = Rest()
     for ball, at in lay_rack(variant.rack, seed).items():
-        rest = place_ball(variant, rest, ball, at)
+        rest = place_ball(rest, ball, at)
     return rest
 
 

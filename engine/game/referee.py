@@ -214,7 +214,7 @@ def on_the_bed(variant: Variant, situation: Situation) -> Situation:
     at = starting_place(variant, situation.rest, ball)
     if at is None:
         return situation
-    rest = place_ball(variant, situation.rest, ball, at)
+    rest = place_ball(situation.rest, ball, at)
     return replace(situation, rest=rest, on_table=situation.on_table | {ball})
 
 

@@ -83,7 +83,7 @@ def lift(rest: Rest, balls: frozenset[BallId]) -> Rest:
     )
 
 
-def place_ball(_variant: Variant, rest: Rest, ball: BallId, at: Point) -> Rest:
+def place_ball(rest: Rest, ball: BallId, at: Point) -> Rest:
     """Return what lies where after `ball` was put at `at` (m)."""
     lifted = lift(rest, frozenset({ball}))
     return replace(lifted, positions={**lifted.positions, ball: at})
@@ -134,7 +134,7 @@ def _spot(variant: Variant, board: Board, action: Spot, homes: Mapping[str, str]
     at = starting_place(variant, board.rest, ball)
     return replace(
         board,
-        rest=board.rest if at is None else place_ball(variant, board.rest, ball, at),
+        rest=board.rest if at is None else place_ball(board.rest, ball, at),
         on_table=board.on_table | {ball},
         spotted=(*board.spotted, Spotted(ball, None, on=False)),
     )
@@ -226,7 +226,7 @@ def _put_on(variant: Variant, board: Board, ball: BallId, spot: SpotId) -> Board
     at = variant.world.table.spots[spot]
     return replace(
         board,
-        rest=place_ball(variant, board.rest, ball, at),
+        rest=place_ball(board.rest, ball, at),
         on_table=board.on_table | {ball},
         spotted=(*board.spotted, Spotted(ball, spot, on=True)),
     )
@@ -246,7 +246,7 @@ def _put_near(
         at = nearest_place(table, table.spots[spot], way, radii[ball], others, GAP)
         if at is None:
             return None
-        rest = place_ball(variant, rest, ball, at)
+        rest = place_ball(rest, ball, at)
     return replace(
         board,
         rest=rest,
@@ -268,7 +268,7 @@ def _rerack(variant: Variant, board: Board, keeping: frozenset[BallId], before: 
     racked = _front_left_empty(lay_rack(variant.rack, before.seed + before.shots + 1), keeping)
     rest = lift(board.rest, frozenset(board.rest.positions) - keeping)
     for ball, at in racked.items():
-        rest = place_ball(variant, rest, ball, at)
+        rest = place_ball(rest, ball, at)
     return replace(
         board,
         rest=rest,
