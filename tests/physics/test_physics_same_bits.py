@@ -103,8 +103,7 @@ def test_a_shot_taken_up_later_goes_on_as_it_would_have(seed, later):
     strike = Strike(rng.uniform(0.5, 1.5), rng.uniform(0, 6.28), 0.0, 0.2, 0.1)
     world = make_world(4, flight="none")
     whole = simulate(world, layout, "b0", strike)
-    if whole.duration <= later:
-        pytest.skip("over by then")
+    assert whole.duration > later
     at = [later]
     places, speeds, spins = (ask(at)[0] for ask in (whole.positions, whole.velocities, whole.spins))
     names = [ball.id for ball in whole.balls]
